@@ -1,0 +1,11 @@
+# Every package is named once. Modules link the imported targets privately.
+find_package(glm REQUIRED)
+find_package(TBB REQUIRED)
+find_package(OpenCV REQUIRED COMPONENTS core imgproc)
+find_package(Ceres REQUIRED)
+find_package(OpenImageIO REQUIRED)
+find_package(OpenMesh REQUIRED)
+find_package(TinyGLTF REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(meshoptimizer REQUIRED)
+find_package(CLI11 REQUIRED)

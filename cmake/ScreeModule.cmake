@@ -1,0 +1,58 @@
+# The functions of the build: a module, a folder of a module, a test, a benchmark program.
+
+add_library(scree_flags INTERFACE)
+target_compile_options(scree_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -ffp-contract=off
+  $<$<BOOL:${SCREE_WERROR}>:-Werror>)
+if(SCREE_SANITIZE)
+  add_compile_options(-fsanitize=${SCREE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${SCREE_SANITIZE})
+  add_compile_definitions(SCREE_SANITIZED=1)
+endif()
+
+function(scree_add_module name)
+  cmake_parse_arguments(arg "" "" "HEADERS;SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  add_library(scree_${name} STATIC ${arg_SOURCES})
+  add_library(scree::${name} ALIAS scree_${name})
+  set_target_properties(scree_${name} PROPERTIES EXPORT_NAME ${name})
+  target_link_libraries(scree_${name}
+    PUBLIC ${arg_PUBLIC} PRIVATE $<BUILD_INTERFACE:scree_flags> ${arg_PRIVATE})
+  target_compile_features(scree_${name} PUBLIC cxx_std_20)
+  target_sources(scree_${name} PUBLIC
+    FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${arg_HEADERS})
+  install(TARGETS scree_${name} EXPORT scree_targets
+    FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/scree)
+endfunction()
+
+function(scree_add_sources name)  # called in a folder of the module, with paths relative to it
+  cmake_parse_arguments(arg "" "" "HEADERS;SOURCES;PRIVATE" ${ARGN})
+  list(TRANSFORM arg_HEADERS PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+  list(TRANSFORM arg_SOURCES PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+  target_sources(scree_${name} PRIVATE ${arg_SOURCES})
+  target_sources(scree_${name} PUBLIC
+    FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${arg_HEADERS})
+  target_link_libraries(scree_${name} PRIVATE ${arg_PRIVATE})
+endfunction()
+
+function(scree_add_test path)  # tests/<path>_test.cpp, listed by ctest as <path>/...
+  cmake_parse_arguments(arg "" "TIMEOUT" "LIBS;LABELS" ${ARGN})
+  string(REPLACE "/" "_" target ${path}_test)
+  add_executable(${target} ${PROJECT_SOURCE_DIR}/tests/${path}_test.cpp)
+  target_link_libraries(${target} PRIVATE
+    ${arg_LIBS} scree_test_support scree_flags GTest::gmock_main)
+  target_compile_definitions(${target} PRIVATE SCREE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  if(NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 300)
+  endif()
+  gtest_discover_tests(${target} TEST_PREFIX ${path}/ DISCOVERY_TIMEOUT 120
+    PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABELS}")
+endfunction()
+
+function(scree_add_benchmark name)  # tests/bench/<name>_bench.cpp -> build/<preset>/tests/bench/<name>
+  cmake_parse_arguments(arg "" "" "LIBS" ${ARGN})
+  add_executable(bench_${name} ${PROJECT_SOURCE_DIR}/tests/bench/${name}_bench.cpp)
+  set_target_properties(bench_${name} PROPERTIES OUTPUT_NAME ${name})
+  target_link_libraries(bench_${name} PRIVATE
+    ${arg_LIBS} scree_flags scree_test_support benchmark::benchmark_main)
+  target_compile_definitions(bench_${name} PRIVATE SCREE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+endfunction()

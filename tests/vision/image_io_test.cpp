@@ -1,0 +1,85 @@
+#include "vision/image_io.h"
+
+#include "base/error.h"
+#include "tests/support/temp_dir.h"
+
+#include <fstream>
+
+#include <gmock/gmock.h>
+
+namespace scree::vision {
+namespace {
+
+Photo gradient(int width, int height) {
+    Photo photo(width, height);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            photo(x, y) = {static_cast<std::uint8_t>(3 * x), static_cast<std::uint8_t>(5 * y), 77};
+    return photo;
+}
+
+TEST(ImageIo, PngKeepsEveryByte) {
+    const test::TempDir dir;
+    const Photo photo = gradient(31, 17);
+    write_png(dir / "a.png", photo);
+    EXPECT_EQ(read_photo(dir / "a.png").pixels, photo);
+}
+
+TEST(ImageIo, LabelsKeepSixteenBits) {
+    const test::TempDir dir;
+    LabelMap labels(5, 4);
+    labels(3, 2) = 65535;
+    labels(0, 0) = 300;
+    write_labels(dir / "l.png", labels);
+    EXPECT_EQ(read_labels(dir / "l.png"), labels);
+    EXPECT_THROW(
+        {
+            write_png(dir / "rgb.png", gradient(4, 4));
+            read_labels(dir / "rgb.png");
+        },
+        InvalidInput);
+}
+
+TEST(ImageIo, HeightsCarryMetresThroughBothFormats) {
+    const test::TempDir dir;
+    HeightImage heights{FloatRaster(8, 6), 0.0025};
+    for (int x = 0; x < 8; ++x)
+        heights.metres(x, 3) = 0.01F * static_cast<float>(x) - 0.02F;
+    write_heights_exr(dir / "h.exr", heights);
+    write_heights_png(dir / "h.png", heights);
+    const HeightImage exr = read_heights(dir / "h.exr");
+    const HeightImage png = read_heights(dir / "h.png");
+    EXPECT_EQ(exr.metres, heights.metres);
+    EXPECT_NEAR(exr.metres_per_pixel, 0.0025, 1e-9);
+    EXPECT_NEAR(png.metres_per_pixel, 0.0025, 1e-9);
+    for (std::size_t i = 0; i < heights.metres.size(); ++i)
+        EXPECT_NEAR(png.metres.data()[i], heights.metres.data()[i], 1e-6);
+}
+
+TEST(ImageIo, PixelLimitIsCheckedFirst) {
+    const test::TempDir dir;
+    write_png(dir / "a.png", gradient(31, 17));
+    EXPECT_THAT([&] { read_photo(dir / "a.png", {.max_pixels = 100}); },
+                testing::ThrowsMessage<InvalidInput>(testing::HasSubstr("31 x 17")));
+}
+
+TEST(ImageIo, ErrorsNameTheFile) {
+    const test::TempDir dir;
+    std::ofstream(dir / "empty.png").flush();
+    std::ofstream(dir / "text.png") << "this is no picture";
+    for (const char* name : {"missing.png", "empty.png", "text.png"})
+        EXPECT_THAT([&] { read_photo(dir / name); },
+                    testing::ThrowsMessage<IoError>(testing::HasSubstr(name)));
+    EXPECT_THROW(read_photo(dir.path()), IoError);
+    EXPECT_THROW(write_png(dir / "no/such/folder/a.png", gradient(2, 2)), IoError);
+}
+
+TEST(ImageIo, JpegIsEncodedInMemory) {
+    const auto bytes = encode_jpeg(gradient(40, 30), 90);
+    ASSERT_GT(bytes.size(), 100U);
+    EXPECT_EQ(bytes[0], 0xFF);
+    EXPECT_EQ(bytes[1], 0xD8);
+}
+
+}  // namespace
+}  // namespace scree::vision

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "base/raster.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace scree::vision {
+
+/// What a picture may cost before it is refused.
+struct ReadLimits {
+    double max_pixels = 200e6;  ///< Width times height; checked before memory is taken.
+};
+
+/// A photograph and what its file says of its scale.
+struct PhotoFile {
+    Photo pixels;
+    double metres_per_pixel = 0.0;  ///< From the metadata `scree:metres_per_pixel`; 0 if unknown.
+};
+
+/// Heights in metres with the scale that makes them meaningful elsewhere.
+struct HeightImage {
+    FloatRaster metres;
+    double metres_per_pixel = 0.0;  ///< 0 if unknown.
+};
+
+/// Read a photograph of any format and depth that OpenImageIO knows as 8-bit sRGB.
+///
+/// EXIF orientation is applied. Grey becomes three equal channels, palettes are looked up, CMYK is
+/// converted, alpha is dropped, the first frame of an animation is taken; float pictures are taken
+/// as linear light and coded.
+/// @throw IoError       the file is missing, a folder, truncated or of no known format.
+/// @throw InvalidInput  it has more pixels than the limit, no pixels, or values that are no
+/// numbers.
+PhotoFile read_photo(const std::filesystem::path& path, const ReadLimits& limits = {});
+
+/// Read a label map: one channel of 8 or 16 bits, values kept as they are.
+LabelMap read_labels(const std::filesystem::path& path, const ReadLimits& limits = {});
+
+/// Read one channel as float (heights): integers are divided by their largest value.
+/// Honours `scree:metres_min` and `scree:metres_max` if the file carries them.
+HeightImage read_heights(const std::filesystem::path& path, const ReadLimits& limits = {});
+
+/// Write 8-bit sRGB PNG. `path` is used as it is: stage it for an atomic write.
+/// @throw IoError  names the path and the reason.
+void write_png(const std::filesystem::path& path, const Photo& picture);
+/// Write 8-bit grey PNG.
+void write_png(const std::filesystem::path& path, const Raster<std::uint8_t>& picture);
+/// Write 16-bit grey PNG with the labels as they are.
+void write_labels(const std::filesystem::path& path, const LabelMap& labels);
+
+/// Write heights as 32-bit float EXR in metres, scale in the metadata.
+void write_heights_exr(const std::filesystem::path& path, const HeightImage& heights);
+/// Write heights as 16-bit PNG from their least to their greatest value; both stand in the
+/// metadata as `scree:metres_min` and `scree:metres_max`, beside `scree:metres_per_pixel`.
+void write_heights_png(const std::filesystem::path& path, const HeightImage& heights);
+
+/// A JPEG file in memory. @param quality 1 to 100.
+std::vector<std::uint8_t> encode_jpeg(const Photo& picture, int quality);
+
+}  // namespace scree::vision
