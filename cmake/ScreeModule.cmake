@@ -34,7 +34,9 @@ function(scree_add_sources name)  # called in a folder of the module, with paths
   target_link_libraries(scree_${name} PRIVATE ${arg_PRIVATE})
 endfunction()
 
-function(scree_add_test path)  # tests/<path>_test.cpp, listed by ctest as <path>/...
+# tests/<path>_test.cpp, listed by ctest as <path>/...; label `threads` for what TSan should see, `slow`
+# for what the sanitizer builds leave out.
+function(scree_add_test path)
   cmake_parse_arguments(arg "" "TIMEOUT" "LIBS;LABELS" ${ARGN})
   string(REPLACE "/" "_" target ${path}_test)
   add_executable(${target} ${PROJECT_SOURCE_DIR}/tests/${path}_test.cpp)
@@ -43,6 +45,9 @@ function(scree_add_test path)  # tests/<path>_test.cpp, listed by ctest as <path
   target_compile_definitions(${target} PRIVATE SCREE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 300)
+  endif()
+  if("threads" IN_LIST arg_LABELS)
+    set_property(GLOBAL APPEND PROPERTY SCREE_THREADED_TESTS ${target})
   endif()
   gtest_discover_tests(${target} TEST_PREFIX ${path}/ DISCOVERY_TIMEOUT 120
     PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABELS}")
