@@ -1,5 +1,6 @@
 #include "meshing/rocks/rock_lod.h"
 #include "meshing/rocks/rock_mesh.h"
+#include "meshing/rocks/rock_patch.h"
 #include "tests/support/rock_samples.h"
 
 #include <benchmark/benchmark.h>
@@ -42,5 +43,34 @@ void lod_chains(benchmark::State& state) {
     state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 BENCHMARK(lod_chains)->Arg(125)->Arg(500)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+// The source's scene: 492 rocks on 10 x 10 patches; work is one instance.
+void instance_buffer(benchmark::State& state) {
+    const auto rocks = meshing::build_rock_meshes(test::rock_set(492, 1));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(meshing::repeat_rocks(rocks, {0.9, 0.6}, 10, 10));
+    state.SetItemsProcessed(state.iterations() * 49200);
+}
+BENCHMARK(instance_buffer)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void scattered_patch(benchmark::State& state) {
+    const auto rocks = meshing::build_rock_meshes(test::rock_set(500, 1));
+    double coverage = 0.0;
+    double by_darts = 0.0;
+    for (auto _ : state) {
+        const auto patch = meshing::scatter_rocks(rocks, static_cast<int>(state.range(0)));
+        coverage = patch.report.coverage;
+        by_darts = patch.report.coverage_by_darts;
+    }
+    state.SetItemsProcessed(state.iterations() * state.range(0));
+    state.counters["coverage"] = coverage;
+    state.counters["by_darts"] = by_darts;
+}
+BENCHMARK(scattered_patch)
+    ->Arg(500)
+    ->Arg(2000)
+    ->Arg(8000)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 }  // namespace
