@@ -40,6 +40,19 @@ Robust robust(double e) {
     return {value, e / ((1.0 + t) * value)};
 }
 
+// One over the standard deviation of each coefficient.
+Basis prior_of(int n_coefficients, double roughness) {
+    Basis prior{};
+    for (int i = 0; i < n_coefficients; ++i) {
+        const int k = (i + 1) / 2;
+        const double sigma = k == 0   ? kSizeFreedom
+                             : k == 1 ? kFirstHarmonic
+                                      : roughness * kRoughness * std::pow(0.5 * k, -kRoughnessFall);
+        prior[static_cast<std::size_t>(i)] = 1.0 / sigma;
+    }
+    return prior;
+}
+
 /// The residuals in the form of ceres::TinySolver. Parameters: the centre's move over the mean
 /// radius (2), then the series. Residuals: hits, pull of the field, start (one a ray each), prior.
 class Cost {
@@ -56,7 +69,8 @@ public:
           anchor_(kAnchorShare * window),
           grid_(maps.boundary.data(), 0, maps.boundary.height(), 0, maps.boundary.width()),
           field_(grid_),
-          basis_(hits.size()) {
+          basis_(hits.size()),
+          prior_(prior_of(start.n_coefficients(), options.roughness)) {
         for (std::size_t i = 0; i < hits.size(); ++i)
             fourier_basis(hits[i].direction.x, hits[i].direction.y, start.n_harmonics,
                           basis_[i].data());
@@ -158,15 +172,10 @@ private:
     void add_prior(const Shape& shape, int row, const Rows& rows) const {
         for (int i = 0; i < shape.n_coefficients(); ++i) {
             const auto at = static_cast<std::size_t>(i);
-            const int k = (i + 1) / 2;
-            const double sigma =
-                k == 0   ? kSizeFreedom
-                : k == 1 ? kFirstHarmonic
-                         : options_.roughness * kRoughness * std::pow(0.5 * k, -kRoughnessFall);
-            const double middle = k == 0 ? start_.coefficients[0] : 0.0;
-            rows.residuals[row + i] = (shape.coefficients[at] - middle) / sigma;
+            const double middle = i == 0 ? start_.coefficients[0] : 0.0;
+            rows.residuals[row + i] = prior_[at] * (shape.coefficients[at] - middle);
             if (rows.jacobian != nullptr)
-                rows.slope(row + i, 2 + i) = 1.0 / sigma;
+                rows.slope(row + i, 2 + i) = prior_[at];
         }
     }
 
@@ -179,6 +188,7 @@ private:
     Grid grid_;
     Interpolator field_;
     std::vector<Basis> basis_;
+    Basis prior_;  // one over the standard deviation of each coefficient
 };
 
 // Standard deviation of the radius, root mean square over the rays, from the inverse of J'J.
