@@ -13,14 +13,20 @@
 
 namespace scree::test {
 
-/// A chequered picture of grey and brown, as a JPEG file.
-inline std::vector<std::uint8_t> sample_texture() {
+/// A picture whose red grows to the right, green downwards, with blue chequers: no turn or mirror
+/// image of it looks the same.
+inline Photo sample_photo() {
     Photo photo(480, 360);
     for (int y = 0; y < photo.height(); ++y)
         for (int x = 0; x < photo.width(); ++x)
             photo(x, y) =
-                (x / 12 + y / 12) % 2 == 0 ? glm::u8vec3(170, 160, 150) : glm::u8vec3(110, 90, 70);
-    return vision::encode_jpeg(photo, 85);
+                glm::u8vec3(50 + x / 3, 50 + y / 3, (x / 24 + y / 24) % 2 == 0 ? 60 : 140);
+    return photo;
+}
+
+/// The same as a JPEG file.
+inline std::vector<std::uint8_t> sample_texture() {
+    return vision::encode_jpeg(sample_photo(), 85);
 }
 
 /// An icosahedron split `levels` times, pushed out to the unit sphere: level 4 has 2,562 vertices.
