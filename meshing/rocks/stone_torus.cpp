@@ -216,7 +216,7 @@ double move_into_voids(StoneTorus& torus, double step_share) {
     for (std::uint32_t i = 0; i < torus.stones().size(); ++i) {
         const StoneTorus::Stone& stone = torus.stones()[i];
         const double own = stone.disc_radius;
-        const double reach = 2.0 * own;
+        const double reach = std::min(2.0 * own, torus.cell_size());
         near.clear();
         discs.clear();
         torus.find_neighbours(stone.position, reach + own, near);
