@@ -196,12 +196,13 @@ void Arguments::flag(std::string_view name, double& value, const FieldInfo& info
                        });
 }
 
-void Arguments::flag(std::string_view name, std::uint64_t& value, const FieldInfo& info) {
-    state_->value_flag(
-        name, "N", std::string(info.help) + " (default " + std::to_string(value) + ")",
-        [&value, name](const std::string& text) {
-            value = parsed<std::uint64_t>(name, text, "a whole number of at least 0");
-        });
+void Arguments::flag(std::string_view name, std::int64_t& value, const FieldInfo& info) {
+    state_->value_flag(name, "N", number_help(info, std::to_string(value)),
+                       [&value, name, info](const std::string& text) {
+                           const auto number = parsed<std::int64_t>(name, text, "a whole number");
+                           check_number(name, static_cast<double>(number), info);
+                           value = number;
+                       });
 }
 
 void Arguments::words_flag(std::string_view name, std::span<const std::string_view> words,

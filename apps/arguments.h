@@ -26,6 +26,12 @@ class HelpRequest : public Error {
     using Error::Error;
 };
 
+/// The work failed and the reason was said already; exit status 1.
+class Reported : public Error {
+public:
+    Reported() : Error("failed") {}
+};
+
 /// What a command says of itself.
 struct CommandWords {
     std::string name;     ///< As typed after `scree`.
@@ -64,7 +70,7 @@ public:
     void flag(std::string_view name, bool& value, const FieldInfo& info);
     void flag(std::string_view name, int& value, const FieldInfo& info);
     void flag(std::string_view name, double& value, const FieldInfo& info);
-    void flag(std::string_view name, std::uint64_t& value, const FieldInfo& info);
+    void flag(std::string_view name, std::int64_t& value, const FieldInfo& info);
 
     template <class Enum>
     requires std::is_enum_v<Enum>

@@ -34,12 +34,12 @@ int run(const Command& command, std::vector<std::string> typed) {
     try {
         Arguments arguments(command.words, std::move(typed));
         command.run(arguments);
-        std::cout.flush();
-        return std::cout.good() ? kDone
-                                : complain(name, "cannot write to standard output", kFailed);
-    } catch (const HelpRequest& help) {
-        std::cout << help.what() << std::flush;
         return kDone;
+    } catch (const HelpRequest& help) {
+        std::cout << help.what();
+        return kDone;
+    } catch (const Reported&) {
+        return kFailed;
     } catch (const UsageError& error) {
         complain(name, error.what(), kWrongWords);
         print_error_line("'scree " + name +
@@ -62,11 +62,11 @@ int run_words(const std::vector<std::string>& words) {
         return kWrongWords;
     }
     if (words[0] == "--help" || words[0] == "-h" || words[0] == "help") {
-        std::cout << overview() << std::flush;
+        std::cout << overview();
         return kDone;
     }
     if (words[0] == "--version") {
-        std::cout << "scree " SCREE_VERSION "\n" << std::flush;
+        std::cout << "scree " SCREE_VERSION "\n";
         return kDone;
     }
     for (const Command& command : commands())
@@ -81,5 +81,10 @@ int run_words(const std::vector<std::string>& words) {
 
 int main(int n_words, char** words) {
     scree::apps::catch_stop_signals();
-    return scree::apps::run_words({words + 1, words + n_words});
+    const int status = scree::apps::run_words({words + 1, words + n_words});
+    std::cout.flush();
+    if (std::cout.good())
+        return status;
+    scree::apps::print_error_line("scree: cannot write to standard output");
+    return status == 0 ? 1 : status;
 }

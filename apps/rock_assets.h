@@ -18,7 +18,7 @@ namespace scree::apps {
 /// What is built from a set of rocks.
 struct AssetOptions {
     int max_segments = 30;     ///< Of the largest rock's mesh.
-    std::uint64_t seed = 1;    ///< Of the scattered patch.
+    std::int64_t seed = 1;     ///< Of the scattered patch.
     bool quantise = false;     ///< Pack vertices with KHR_mesh_quantization.
     bool msft_lod = false;     ///< Put the levels of detail into rocks.glb with MSFT_lod.
     bool plain_nodes = false;  ///< Write the patch as plain nodes, for viewers without instancing.
@@ -28,7 +28,7 @@ template <class Visitor>
 void describe(AssetOptions& o, Visitor&& field) {
     field("max-segments", o.max_segments,
           {.min = 3, .max = 720, .help = "segments of the largest rock's mesh"});
-    field("seed", o.seed, {.help = "seed of the scattered patch"});
+    field("seed", o.seed, {.min = 0, .max = 9e15, .help = "seed of the scattered patch"});
     field("quantise", o.quantise, {.help = "pack vertices with KHR_mesh_quantization"});
     field("msft-lod", o.msft_lod, {.help = "put levels of detail into rocks.glb with MSFT_lod"});
     field("plain-nodes", o.plain_nodes,
