@@ -22,7 +22,7 @@ struct GltfTransform {
 /// One entry of an object's `extras`: data for programs that know what it means.
 struct GltfExtra {
     std::string name;
-    std::variant<double, std::string, std::vector<double>> value;
+    std::variant<double, bool, std::string, std::vector<double>> value;
 };
 
 /// A mesh that nodes refer to by its index.

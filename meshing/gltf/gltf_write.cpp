@@ -125,6 +125,8 @@ void add_material(Model& model, const GltfScene& scene) {
 Value value_of(const GltfExtra& extra) {
     if (const auto* number = std::get_if<double>(&extra.value))
         return Value(*number);
+    if (const auto* flag = std::get_if<bool>(&extra.value))
+        return Value(*flag);
     if (const auto* text = std::get_if<std::string>(&extra.value))
         return Value(*text);
     Value::Array array;

@@ -1,5 +1,7 @@
 #include "meshing/gltf/mesh_encoding.h"
 
+#include "meshing/mesh/optimise.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -7,8 +9,6 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <meshoptimizer.h>
-
 namespace scree::meshing::gltf {
 namespace {
 
@@ -27,36 +27,6 @@ std::vector<std::uint8_t> bytes_of(const std::vector<T>& values) {
     if (!values.empty())
         std::memcpy(bytes.data(), values.data(), bytes.size());
     return bytes;
-}
-
-// New order of the vertices: remap[old] = new, or ~0 for vertices without a triangle.
-template <class T>
-std::vector<T> moved(const std::vector<T>& values, const std::vector<unsigned>& remap,
-                     std::size_t n_kept) {
-    std::vector<T> out(values.empty() ? 0 : n_kept);
-    for (std::size_t i = 0; i < values.size(); ++i)
-        if (remap[i] != ~0U)
-            out[remap[i]] = values[i];
-    return out;
-}
-
-TriMesh reordered(const TriMesh& mesh) {
-    const std::size_t n_indices = 3 * mesh.triangles.size();
-    const unsigned* const source = &mesh.triangles[0].x;
-    std::vector<unsigned> indices(n_indices);
-    meshopt_optimizeVertexCache(indices.data(), source, n_indices, mesh.positions.size());
-    std::vector<unsigned> remap(mesh.positions.size());
-    const std::size_t n_kept = meshopt_optimizeVertexFetchRemap(remap.data(), indices.data(),
-                                                                n_indices, mesh.positions.size());
-    TriMesh out;
-    out.positions = moved(mesh.positions, remap, n_kept);
-    out.normals = moved(mesh.normals, remap, n_kept);
-    out.texcoords = moved(mesh.texcoords, remap, n_kept);
-    out.triangles.resize(mesh.triangles.size());
-    for (std::size_t i = 0; i < out.triangles.size(); ++i)
-        out.triangles[i] = {remap[indices[3 * i]], remap[indices[3 * i + 1]],
-                            remap[indices[3 * i + 2]]};
-    return out;
 }
 
 // Unit length within float rounding, which readers check; straight up if there is no direction.
@@ -127,7 +97,9 @@ void encode_indices(const TriMesh& mesh, EncodedMesh& out) {
 }  // namespace
 
 EncodedMesh encode_mesh(const TriMesh& mesh, const EncodingOptions& options) {
-    const TriMesh ordered = options.reorder ? reordered(mesh) : mesh;
+    TriMesh ordered = mesh;
+    if (options.reorder)
+        optimise_for_gpu(ordered);
     EncodedMesh out;
     out.n_vertices = ordered.positions.size();
     out.n_indices = 3 * ordered.triangles.size();
