@@ -17,7 +17,6 @@ namespace scree::meshing {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kDifference = 1e-4;  // radians
 constexpr int kMostHalvings = 40;
 constexpr int kProbes = 4096;
 
@@ -144,15 +143,18 @@ glm::vec3 pole_normal(const TriMesh& mesh, const glm::vec3& pole) {
 void fill_normals(const NoisySurface& surface, const RingGrid& grid, TriMesh& mesh) {
     const glm::vec3 south = pole_normal(mesh, mesh.positions.front());
     const glm::vec3 north = pole_normal(mesh, mesh.positions.back());
+    // Differences over the steps of the grid: finer ones show every crease as teeth.
+    const double along = kPi / grid.rings;
+    const double across = 2.0 * kPi / grid.segments;
     for_vertices(grid, [&](int ring, int, double azimuth, double elevation) {
         if (ring == 0 || ring == grid.rings) {
             mesh.normals.push_back(ring == 0 ? south : north);
             return;
         }
-        const glm::dvec3 up = surface(place_at(azimuth, elevation + kDifference)) -
-                              surface(place_at(azimuth, elevation - kDifference));
-        const glm::dvec3 round = surface(place_at(azimuth + kDifference, elevation)) -
-                                 surface(place_at(azimuth - kDifference, elevation));
+        const glm::dvec3 up = surface(place_at(azimuth, elevation + along)) -
+                              surface(place_at(azimuth, elevation - along));
+        const glm::dvec3 round = surface(place_at(azimuth + across, elevation)) -
+                                 surface(place_at(azimuth - across, elevation));
         mesh.normals.emplace_back(glm::normalize(glm::cross(up, round)));
     });
 }

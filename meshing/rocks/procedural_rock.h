@@ -9,10 +9,10 @@ namespace scree::meshing {
 
 /// Component of the noise that shapes a rock (`rocks-and-deformer.md` part B), from 0 to 1.
 enum class WorleyComponent {
-    First,   ///< F1: pits at the feature points.
-    Second,  ///< F2: smoother.
-    Third,   ///< F3: the smoothest.
-    Edges,   ///< F2 - F1: facets with creases between them.
+    First,   ///< F1: pits at the feature points, ridges between.
+    Second,  ///< F2: facets.
+    Third,   ///< F3: smaller facets.
+    Edges,   ///< F2 - F1: knobs at the feature points, creases between.
 };
 
 /// How the noise shapes the generalised ellipsoid.
@@ -37,8 +37,8 @@ struct ProceduralRockOptions {
     double depth = 0.085;    ///< Along z.
     double amplitude = 0.6;  ///< Strength of the noise, kappa.
     int points = 24;         ///< Feature points; more make finer lumps.
-    WorleyForm form = WorleyForm::Radial;
-    WorleyComponent radial = WorleyComponent::Edges;   ///< Of the radial form.
+    WorleyForm form = WorleyForm::Axes;
+    WorleyComponent radial = WorleyComponent::Second;  ///< Of the radial form.
     WorleyComponent along_x = WorleyComponent::First;  ///< Of the other form.
     WorleyComponent along_y = WorleyComponent::Third;
     WorleyComponent along_z = WorleyComponent::Second;
@@ -77,7 +77,7 @@ struct ProceduralRock {
 /// A rock from cellular noise on the generalised ellipsoid (eq. 3.2), the same for the same seed.
 ///
 /// @post  The mesh is closed, of positive volume and star-shaped about its centre; seam and poles
-///        are whole. Normals are numeric, with creases where cells of the noise meet.
+///        are whole. Normals are numeric, over the steps of the grid.
 /// @throw InvalidOption  a value is outside the range that describe() gives, or one ring.
 ProceduralRock make_procedural_rock(const ProceduralRockOptions& options = {});
 

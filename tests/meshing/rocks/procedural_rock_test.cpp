@@ -33,6 +33,7 @@ TEST_P(ProceduralRocks, AreStarShapedSolids) {
         for (const bool texcoords : {false, true}) {
             ProceduralRockOptions options{.amplitude = 0.9,
                                           .points = 3 + 7 * static_cast<int>(seed)};
+            options.form = WorleyForm::Radial;
             options.radial = component;
             options.segments = 24;
             options.texcoords = texcoords;
