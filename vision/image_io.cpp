@@ -1,6 +1,9 @@
 #include "vision/image_io.h"
 
 #include "base/error.h"
+#include "base/number_text.h"
+#include "base/whole_file.h"
+#include "vision/picture_header.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,30 +33,39 @@ std::string one_line(std::string text) {
     return text.empty() ? "unknown or damaged format" : text;
 }
 
+void check_size(double width, double height, const fs::path& path, const ReadLimits& limits) {
+    if (width * height > limits.max_pixels)
+        fail<InvalidInput>(path.string(), " has ", width, " x ", height, " pixels, the limit is ",
+                           limits.max_pixels, "; scale it down or raise the limit");
+}
+
+// Some readers take memory for the whole picture, or decode it, as they open it: the size is asked
+// of the header first, and only formats whose header is understood are opened at all.
 std::unique_ptr<OIIO::ImageInput> open_picture(const fs::path& path, const ReadLimits& limits) {
-    std::error_code error;
-    if (!fs::exists(path, error))
-        fail<IoError>("cannot read ", path.string(), ": no such file");
-    if (fs::is_directory(path, error))
-        fail<IoError>("cannot read ", path.string(), ": it is a folder, name a picture in it");
-    if (fs::file_size(path, error) == 0)
-        fail<IoError>("cannot read ", path.string(), ": the file is empty");
+    const PictureHeader header = read_picture_header(path);
+    check_size(header.width, header.height, path, limits);
+    OIIO::geterror();  // forget what earlier calls on this thread left
+    auto input = OIIO::ImageInput::create(header.format);
+    if (!input)
+        fail<IoError>("cannot read ", path.string(), ": OpenImageIO was built without ",
+                      header.format);
     OIIO::ImageSpec hints;
     hints["oiio:UnassociatedAlpha"] = 1;
-    auto input = OIIO::ImageInput::open(path.string(), &hints);
-    if (!input)
-        fail<IoError>("cannot read ", path.string(), ": ", one_line(OIIO::geterror()));
-    const OIIO::ImageSpec& spec = input->spec();
+    OIIO::ImageSpec spec;
+    if (!input->open(path.string(), spec, hints))
+        fail<IoError>("cannot read ", path.string(), ": ", one_line(input->geterror()));
     if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1)
         fail<InvalidInput>(path.string(), " has no pixels");
-    if (spec.depth > 1 || spec.nchannels > 64)
+    if (spec.depth > 1 || spec.deep || spec.nchannels > 64)
         fail<InvalidInput>(path.string(), " is no flat picture with at most 64 channels");
-    const double pixels = static_cast<double>(spec.width) * spec.height;
-    if (pixels > limits.max_pixels)
-        fail<InvalidInput>(path.string(), " has ", spec.width, " x ", spec.height,
-                           " pixels, the limit is ", limits.max_pixels,
-                           "; scale it down or raise the limit");
+    check_size(spec.width, spec.height, path, limits);
     return input;
+}
+
+void read_into(OIIO::ImageInput& input, const fs::path& path, int n_channels, OIIO::TypeDesc type,
+               void* values) {
+    if (!input.read_image(0, 0, 0, n_channels, type, values) || input.has_error())
+        fail<IoError>("cannot read ", path.string(), ": ", one_line(input.geterror()));
 }
 
 template <class T>
@@ -63,8 +75,7 @@ std::vector<T> read_channels(OIIO::ImageInput& input, const fs::path& path, int 
     std::vector<T> values(static_cast<std::size_t>(spec.width) *
                           static_cast<std::size_t>(spec.height) *
                           static_cast<std::size_t>(n_channels));
-    if (!input.read_image(0, 0, 0, n_channels, type, values.data()))
-        fail<IoError>("cannot read ", path.string(), ": ", one_line(input.geterror()));
+    read_into(input, path, n_channels, type, values.data());
     return values;
 }
 
@@ -77,10 +88,6 @@ bool is_float(const OIIO::ImageSpec& spec) {
     return spec.format.is_floating_point();
 }
 
-glm::u8vec3 pick_colour(const std::uint8_t* pixel, int n_channels) {
-    return n_channels >= 3 ? glm::u8vec3(pixel[0], pixel[1], pixel[2]) : glm::u8vec3(pixel[0]);
-}
-
 std::uint8_t coded_byte(float light, const fs::path& path) {
     if (!std::isfinite(light))
         fail<InvalidInput>(path.string(), " holds values that are no numbers");
@@ -89,20 +96,25 @@ std::uint8_t coded_byte(float light, const fs::path& path) {
 
 Photo read_colours(OIIO::ImageInput& input, const fs::path& path) {
     const OIIO::ImageSpec spec = input.spec();
-    const int n = spec.nchannels >= 3 ? 3 : 1;
     Photo photo(spec.width, spec.height);
-    if (is_float(spec)) {
-        const auto values = read_channels<float>(input, path, n, OIIO::TypeDesc::FLOAT);
-        std::vector<std::uint8_t> coded(values.size());
-        std::transform(values.begin(), values.end(), coded.begin(),
-                       [&](float v) { return coded_byte(v, path); });
-        for (std::size_t i = 0; i < photo.size(); ++i)
-            photo.data()[i] = pick_colour(&coded[i * static_cast<std::size_t>(n)], n);
+    const int n = spec.nchannels >= 3 ? 3 : 1;
+    if (n == 3 && !is_float(spec)) {
+        static_assert(sizeof(glm::u8vec3) == 3);
+        read_into(input, path, 3, OIIO::TypeDesc::UINT8, photo.data());
         return photo;
     }
-    const auto values = read_channels<std::uint8_t>(input, path, n, OIIO::TypeDesc::UINT8);
+    std::vector<std::uint8_t> coded;
+    if (is_float(spec)) {
+        const auto light = read_channels<float>(input, path, n, OIIO::TypeDesc::FLOAT);
+        coded.resize(light.size());
+        std::transform(light.begin(), light.end(), coded.begin(),
+                       [&](float v) { return coded_byte(v, path); });
+    } else {
+        coded = read_channels<std::uint8_t>(input, path, n, OIIO::TypeDesc::UINT8);
+    }
     for (std::size_t i = 0; i < photo.size(); ++i)
-        photo.data()[i] = pick_colour(&values[i * static_cast<std::size_t>(n)], n);
+        photo.data()[i] = n == 3 ? glm::u8vec3(coded[3 * i], coded[3 * i + 1], coded[3 * i + 2])
+                                 : glm::u8vec3(coded[i]);
     return photo;
 }
 
@@ -130,41 +142,64 @@ glm::ivec2 stored_pixel(int orientation, int x, int y, int stored_width, int sto
     }
 }
 
-template <class T>
-Raster<T> upright(Raster<T> stored, int orientation) {
+Photo upright(Photo stored, int orientation) {
     if (orientation < 2 || orientation > 8)
         return stored;
     const bool turned = orientation >= 5;
-    Raster<T> result(turned ? stored.height() : stored.width(),
-                     turned ? stored.width() : stored.height());
-    for (int y = 0; y < result.height(); ++y)
-        for (int x = 0; x < result.width(); ++x) {
-            const glm::ivec2 p = stored_pixel(orientation, x, y, stored.width(), stored.height());
-            result(x, y) = stored(p.x, p.y);
+    Photo result(turned ? stored.height() : stored.width(),
+                 turned ? stored.width() : stored.height());
+    for (int y = 0; y < result.height(); ++y) {
+        const glm::ivec2 first = stored_pixel(orientation, 0, y, stored.width(), stored.height());
+        const glm::ivec2 step =
+            stored_pixel(orientation, 1, y, stored.width(), stored.height()) - first;
+        glm::ivec2 at = first;
+        for (glm::u8vec3* pixel = result.row(y); pixel != result.row(y) + result.width(); ++pixel) {
+            *pixel = stored(at.x, at.y);
+            at += step;
         }
+    }
     return result;
 }
 
 // Text metadata of formats without typed attributes comes back as a string.
 double number_attribute(const OIIO::ImageSpec& spec, const char* name, double otherwise) {
-    const std::string text = spec.get_string_attribute(name);
-    const double value =
-        text.empty()
-            ? static_cast<double>(spec.get_float_attribute(name, static_cast<float>(otherwise)))
-            : OIIO::Strutil::stof(text);
+    const OIIO::ParamValue* found = spec.find_attribute(name);
+    if (found == nullptr)
+        return otherwise;
+    double value = otherwise;
+    if (found->type() == OIIO::TypeDesc::STRING)
+        value = parse_number<double>(found->get_string()).value_or(otherwise);
+    else if (found->type() == OIIO::TypeDesc::DOUBLE)
+        value = found->get<double>();
+    else
+        value = found->get_float(static_cast<float>(otherwise));
     return std::isfinite(value) ? value : otherwise;
+}
+
+double scale_attribute(const OIIO::ImageSpec& spec) {
+    const double scale = number_attribute(spec, kScale, 0.0);
+    return scale > 0.0 && scale <= 1e6 ? scale : 0.0;
+}
+
+// Encodes in memory: writers to a file lose the error of a full disk when they close it.
+std::vector<std::uint8_t> encoded(const std::string& name, OIIO::ImageSpec spec,
+                                  OIIO::TypeDesc type, const void* pixels) {
+    std::vector<std::uint8_t> bytes;
+    OIIO::Filesystem::IOVecOutput proxy(bytes);
+    OIIO::Filesystem::IOProxy* pointer = &proxy;
+    spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &pointer);
+    OIIO::geterror();  // forget what earlier calls on this thread left
+    const auto output = OIIO::ImageOutput::create(name);
+    if (!output)
+        fail<IoError>("cannot write ", name, ": ", one_line(OIIO::geterror()));
+    if (!output->open(name, spec) || !output->write_image(type, pixels) || !output->close())
+        fail<IoError>("cannot write ", name, ": ", one_line(output->geterror()));
+    return bytes;
 }
 
 void write_pixels(const fs::path& path, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
                   const void* pixels) {
-    auto output = OIIO::ImageOutput::create(path.string());
-    if (!output)
-        fail<IoError>("cannot write ", path.string(), ": ", one_line(OIIO::geterror()));
-    if (!output->open(path.string(), spec))
-        fail<IoError>("cannot write ", path.string(), ": ", one_line(output->geterror()));
-    if (!output->write_image(type, pixels) || !output->close())
-        fail<IoError>("cannot write ", path.string(), ": ", one_line(output->geterror()),
-                      "; free some space or choose another folder");
+    write_staged_file(path, encoded(path.string(), spec, type, pixels));
 }
 
 OIIO::ImageSpec png_spec(int width, int height, int n_channels, OIIO::TypeDesc type) {
@@ -174,8 +209,8 @@ OIIO::ImageSpec png_spec(int width, int height, int n_channels, OIIO::TypeDesc t
 }
 
 std::string exact(double value) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.9g", value);
+    std::string text;
+    append_number(text, value);
     return text;
 }
 
@@ -185,12 +220,15 @@ PhotoFile read_photo(const fs::path& path, const ReadLimits& limits) {
     const auto input = open_picture(path, limits);
     const int orientation = input->spec().get_int_attribute("Orientation", 1);
     PhotoFile file;
-    file.metres_per_pixel = std::max(0.0, number_attribute(input->spec(), kScale, 0.0));
+    file.metres_per_pixel = scale_attribute(input->spec());
     file.pixels = upright(read_colours(*input, path), orientation);
     return file;
 }
 
 LabelMap read_labels(const fs::path& path, const ReadLimits& limits) {
+    if (const int bits = read_picture_header(path).bits; bits > 0 && bits < 8)
+        fail<InvalidInput>(path.string(), " is no label map: it has ", bits,
+                           " bits a pixel, 8 or 16 are needed");  // the reader would spread them
     const auto input = open_picture(path, limits);
     const OIIO::ImageSpec spec = input->spec();
     const bool wide = spec.format == OIIO::TypeDesc::UINT16;
@@ -216,8 +254,7 @@ HeightImage read_heights(const fs::path& path, const ReadLimits& limits) {
     const double low = number_attribute(spec, kLow, 0.0);
     const double high = number_attribute(spec, kHigh, 1.0);
     const bool scaled = !is_float(spec);
-    HeightImage heights{FloatRaster(spec.width, spec.height),
-                        std::max(0.0, number_attribute(spec, kScale, 0.0))};
+    HeightImage heights{FloatRaster(spec.width, spec.height), scale_attribute(spec)};
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (!std::isfinite(values[i]))
             fail<InvalidInput>(path.string(), " holds heights that are no numbers");
@@ -229,6 +266,8 @@ HeightImage read_heights(const fs::path& path, const ReadLimits& limits) {
 
 void write_png(const fs::path& path, const Photo& picture) {
     OIIO::ImageSpec spec = png_spec(picture.width(), picture.height(), 3, OIIO::TypeDesc::UINT8);
+    spec["png:compressionLevel"] = 1;  // of photographs, with the averaging filter: half the time
+    spec["png:filter"] = 0x40;         // of libpng's own choice at the same size
     spec["oiio:ColorSpace"] = "sRGB";
     write_pixels(path, spec, OIIO::TypeDesc::UINT8, picture.data());
 }
@@ -247,8 +286,9 @@ void write_heights_exr(const fs::path& path, const HeightImage& heights) {
     OIIO::ImageSpec spec(heights.metres.width(), heights.metres.height(), 1, OIIO::TypeDesc::FLOAT);
     spec.channelnames = {"Y"};
     spec["compression"] = "zip";
-    spec[kScale] = static_cast<float>(heights.metres_per_pixel);
+    spec.attribute(kScale, OIIO::TypeDesc::DOUBLE, &heights.metres_per_pixel);
     spec["ImageDescription"] = "heights in metres";
+    spec["DateTime"] = "1970:01:01 00:00:00";  // else the present: same heights, other bytes
     write_pixels(path, spec, OIIO::TypeDesc::FLOAT, heights.metres.data());
 }
 
@@ -268,19 +308,9 @@ void write_heights_png(const fs::path& path, const HeightImage& heights) {
 }
 
 std::vector<std::uint8_t> encode_jpeg(const Photo& picture, int quality) {
-    std::vector<std::uint8_t> bytes;
-    OIIO::Filesystem::IOVecOutput proxy(bytes);
-    auto output = OIIO::ImageOutput::create("texture.jpg");
     OIIO::ImageSpec spec(picture.width(), picture.height(), 3, OIIO::TypeDesc::UINT8);
     spec["Compression"] = "jpeg:" + std::to_string(std::clamp(quality, 1, 100));
-    OIIO::Filesystem::IOProxy* pointer = &proxy;
-    spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &pointer);
-    const bool done = output && output->open("texture.jpg", spec) &&
-                      output->write_image(OIIO::TypeDesc::UINT8, picture.data()) && output->close();
-    if (!done)
-        fail<IoError>("cannot encode the photograph as JPEG: ",
-                      one_line(output ? output->geterror() : OIIO::geterror()));
-    return bytes;
+    return encoded("texture.jpg", spec, OIIO::TypeDesc::UINT8, picture.data());
 }
 
 }  // namespace scree::vision

@@ -26,7 +26,8 @@ struct HeightImage {
     double metres_per_pixel = 0.0;  ///< 0 if unknown.
 };
 
-/// Read a photograph of any format and depth that OpenImageIO knows as 8-bit sRGB.
+/// Read a photograph as 8-bit sRGB: PNG, JPEG, TIFF, OpenEXR, BMP, PNM, GIF, WebP or TGA of any
+/// depth. The format is told by the first bytes, not by the name.
 ///
 /// EXIF orientation is applied. Grey becomes three equal channels, palettes are looked up, CMYK is
 /// converted, alpha is dropped, the first frame of an animation is taken; float pictures are taken

@@ -164,27 +164,39 @@ std::size_t count_used(const TriMesh& mesh) {
     return static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
 }
 
-}  // namespace
+std::size_t count_fans(Fans& fans, std::size_t n_corners) {
+    std::size_t n = 0;
+    for (std::uint32_t c = 0; c < n_corners; ++c)
+        n += fans.find(c) == c ? 1U : 0U;
+    return n;
+}
 
-TopologyReport analyse_topology(const TriMesh& mesh) {
-    check_mesh(mesh);
-    const TriMesh welded = weld(mesh);
+// All of the report that needs no half-edges.
+TopologyReport report_without_half_edges(const TriMesh& mesh, const TriMesh& welded, Fans& fans) {
     TopologyReport report;
     report.n_vertices = count_used(welded);
     report.n_triangles = welded.triangles.size();
     report.n_collapsed = mesh.triangles.size() - welded.triangles.size();
     report.n_thin = count_thin(welded);
-    Fans fans(3 * welded.triangles.size());
     const EdgeFacts facts = look_at_edges(sorted_sides(welded), fans);
     report.n_edges = facts.n_edges;
     report.closed = facts.closed;
     report.oriented = facts.oriented && facts.manifold;
-    if (!report.oriented) {
-        report.manifold = false;
-        return report;  // no half-edge structure holds it
-    }
+    report.manifold =
+        report.oriented && count_fans(fans, 3 * welded.triangles.size()) == report.n_vertices;
+    return report;
+}
+
+}  // namespace
+
+TopologyReport analyse_topology(const TriMesh& mesh) {
+    check_mesh(mesh);
+    const TriMesh welded = weld(mesh);
+    Fans fans(3 * welded.triangles.size());
+    TopologyReport report = report_without_half_edges(mesh, welded, fans);
+    if (!report.oriented)
+        return report;
     const HalfEdgeMesh half_edges = half_edges_of(welded, fans);
-    report.manifold = half_edges.n_vertices() == report.n_vertices;
     report.n_boundaries = count_boundaries(half_edges);
     report.n_pieces = count_pieces(half_edges);
     if (report.closed && report.manifold) {
@@ -197,7 +209,10 @@ TopologyReport analyse_topology(const TriMesh& mesh) {
 }
 
 std::string solid_defect(const TriMesh& mesh) {
-    const TopologyReport report = analyse_topology(mesh);
+    check_mesh(mesh);
+    const TriMesh welded = weld(mesh);
+    Fans fans(3 * welded.triangles.size());
+    const TopologyReport report = report_without_half_edges(mesh, welded, fans);
     if (mesh.triangles.empty())
         return "the mesh has no triangle";
     if (report.n_collapsed > 0)

@@ -1,5 +1,6 @@
 #include "meshing/rocks/radius_profile.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -59,8 +60,8 @@ RadiusProfile sample_radii(std::span<const float> radii, int n_segments, RadiusS
     const PeriodicRadius function(radii);
     const auto n_radii = static_cast<double>(radii.size());
     const double spacing = n_radii / n_segments;  // samples a segment
-    const bool averaged = sampling == RadiusSampling::Averaged && spacing > 1.0;
-    const double half = averaged ? 0.5 * spacing : 1.0;  // of the difference and the mean
+    const bool averaged = sampling == RadiusSampling::Averaged && spacing > 2.0;
+    const double half = std::max(0.5 * spacing, 1.0);  // of the difference and the mean
     const double radians = 2.0 * half * kTurn / n_radii;
     RadiusProfile profile;
     profile.radius.reserve(static_cast<std::size_t>(n_segments));

@@ -7,8 +7,8 @@ namespace scree::meshing {
 
 /// How the radius of a segment is read from the radii of an outline.
 enum class RadiusSampling {
-    Averaged,  ///< Mean over the segment: fine teeth do not turn into coarse ones.
     Point,     ///< Linear interpolation at the segment's azimuth, as the source does.
+    Averaged,  ///< Mean over the segment: smoother, but it cuts corners off; better from 30 up.
 };
 
 /// Radius and its derivative by azimuth (per radian) at evenly spaced azimuths from 0.
@@ -19,8 +19,8 @@ struct RadiusProfile {
 
 /// Read a periodic radius function, linear between its samples, at n_segments azimuths.
 ///
-/// `Point` takes the derivative by central differences over two samples, `Averaged` the exact
-/// derivative of the running mean. Works for a segment count that does not divide the radii.
+/// The derivative is taken across the segment, or two samples if that is wider; for `Averaged` it
+/// is the exact one of the running mean. Works for a segment count that does not divide the radii.
 /// @pre At least 3 radii, all positive and finite; n_segments at least 3.
 RadiusProfile sample_radii(std::span<const float> radii, int n_segments, RadiusSampling sampling);
 

@@ -26,7 +26,7 @@ enum class RockBase {
 
 inline constexpr std::string_view kNormalFormNames[] = {"exact", "approximate"};
 inline constexpr std::string_view kRockBaseNames[] = {"half", "resting"};
-inline constexpr std::string_view kRadiusSamplingNames[] = {"averaged", "point"};
+inline constexpr std::string_view kRadiusSamplingNames[] = {"point", "averaged"};
 
 constexpr std::span<const std::string_view> names_of(NormalForm) {
     return kNormalFormNames;
@@ -47,7 +47,7 @@ struct RockMeshOptions {
     bool texcoords = true;  ///< Write texture coordinates into the photograph.
     bool compensate_volume = false;  ///< Scale each mesh to the volume of its exact surface.
     NormalForm normals = NormalForm::Exact;
-    RadiusSampling sampling = RadiusSampling::Averaged;
+    RadiusSampling sampling = RadiusSampling::Point;
     RockBase base = RockBase::Half;
     Reading reading = Reading::Sound;  ///< Literal: sheared indices, point sampling, printed
                                        ///< normals, 3 segments at least.

@@ -1,0 +1,29 @@
+#include "apps/commands.h"
+
+#include <vector>
+
+namespace scree::apps {
+
+std::span<const Command> commands() {
+    static const std::vector<Command> table = {
+        {{"mesh", "build the meshes and maps again from a file of rocks, perhaps edited",
+          "scree mesh out/rocks.json -o out2 --photo gravel.jpg", ""},
+         run_mesh},
+        {{"scatter", "cover ground with copies of a photograph's rocks; the patch tiles",
+          "scree scatter out/rocks.json -o patch.glb --photo gravel.jpg --size-m 2 --count 3000",
+          ""},
+         run_scatter},
+        {{"score", "compare label maps with hand-made ones", "scree score out/labels.png truth.png",
+          "Several pairs give a line each and their mean. Label maps have one channel of 8 or 16 "
+          "bits; 0 is background and every other value one rock."},
+         run_score},
+        {{"check", "look for errors in binary glTF files, instances included",
+          "scree check out/rocks.glb out/patch.glb",
+          "Looks where other validators do not: at EXT_mesh_gpu_instancing, bounds, indices and "
+          "the tree of nodes. The exit status is 1 if there is an error."},
+         run_check},
+    };
+    return table;
+}
+
+}  // namespace scree::apps

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "apps/arguments.h"
+
+#include <span>
+
+namespace scree::apps {
+
+/// One word after `scree`.
+struct Command {
+    CommandWords words;
+    void (*run)(Arguments& arguments) = nullptr;
+};
+
+/// All commands, in the order in which they are listed.
+std::span<const Command> commands();
+
+void run_rocks(Arguments& arguments);
+void run_mesh(Arguments& arguments);
+void run_scatter(Arguments& arguments);
+void run_procedural(Arguments& arguments);
+void run_score(Arguments& arguments);
+void run_check(Arguments& arguments);
+
+}  // namespace scree::apps

@@ -1,0 +1,265 @@
+#include "apps/rock_assets.h"
+
+#include "apps/rock_scene.h"
+#include "base/error.h"
+#include "base/parallel.h"
+#include "base/stopwatch.h"
+#include "meshing/bake/ambient_occlusion.h"
+#include "meshing/bake/height_bake.h"
+#include "meshing/bake/normal_map.h"
+#include "meshing/gltf/gltf_write.h"
+#include "meshing/render/raster_view.h"
+#include "meshing/rocks/world_frame.h"
+#include "vision/data/grain_size.h"
+#include "vision/data/overlay.h"
+#include "vision/data/rocks_json.h"
+#include "vision/data/size_plot.h"
+#include "vision/image_io.h"
+
+#include <algorithm>
+#include <atomic>
+#include <functional>
+#include <map>
+#include <thread>
+
+#include <glm/ext/matrix_transform.hpp>
+
+namespace scree::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kTextureQuality = 90;
+constexpr int kPatchStones = 2000;
+
+// A step of the work and the time it took; steps of one list run at the same time.
+struct Step {
+    std::string name;
+    std::function<void()> run;
+    double seconds = 0.0;
+};
+
+// Everything the steps share. What a step writes no other one touches.
+struct Workshop {
+    const vision::RockSet& set;
+    const Photo* photo;
+    const fs::path& folder;
+    const AssetOptions& options;
+    OutputBatch& batch;
+    Progress* progress;
+    std::map<std::string, fs::path> staged = {};
+    std::vector<meshing::RockMesh> meshes = {};
+    std::vector<std::uint8_t> texture = {};
+    vision::HeightImage heights = {};
+    LodChains chains = {};
+    AssetReport report = {};
+
+    bool has_rocks() const { return !set.rocks.empty(); }
+
+    void stage(const std::string& name) {
+        staged[name] = batch.stage(folder / name);
+        report.files.push_back(name);
+    }
+};
+
+// Messages name the file that was meant, not the temporary one.
+[[noreturn]] void fail_with_target(const IoError& error, const Workshop& shop) {
+    std::string text = error.what();
+    for (const auto& [name, temporary] : shop.staged) {
+        const auto at = text.find(temporary.string());
+        if (at != std::string::npos)
+            text.replace(at, temporary.string().size(), (shop.folder / name).string());
+    }
+    throw IoError(text);
+}
+
+void run_steps(std::vector<Step> steps, std::string_view stage, Workshop& shop) {
+    const auto caller = std::this_thread::get_id();
+    std::atomic<std::size_t> n_done{0};
+    report_progress(shop.progress, stage, 0.0);
+    parallel_for_each_index(0, steps.size(), 1, [&](std::size_t i) {
+        if (shop.progress != nullptr && shop.progress->cancelled())
+            fail<Cancelled>("stopped during ", stage);
+        Stopwatch watch;
+        try {
+            steps[i].run();
+        } catch (const IoError& error) {
+            fail_with_target(error, shop);
+        }
+        steps[i].seconds = watch.lap();
+        const std::size_t done = ++n_done;
+        if (std::this_thread::get_id() == caller)
+            report_progress(shop.progress, stage,
+                            static_cast<double>(done) / static_cast<double>(steps.size()));
+    });
+    for (const Step& step : steps)
+        shop.report.seconds.emplace_back(step.name, step.seconds);
+}
+
+void build_meshes(Workshop& shop) {
+    Stopwatch watch;
+    shop.meshes = meshing::build_rock_meshes(shop.set, {.max_segments = shop.options.max_segments});
+    shop.report.mesh_seconds = watch.lap();
+    for (const meshing::RockMesh& rock : shop.meshes) {
+        shop.report.n_vertices += rock.mesh.positions.size();
+        shop.report.n_triangles += rock.mesh.triangles.size();
+    }
+}
+
+void write_preview(const Workshop& shop) {
+    const meshing::GroundRegion region = meshing::region_of(shop.set);
+    meshing::ViewScene scene;
+    scene.photo = shop.photo;
+    scene.ground_size = {region.width, region.depth};
+    for (const meshing::RockMesh& rock : shop.meshes)
+        scene.objects.push_back({&rock.mesh, glm::translate(glm::mat4(1.0F), rock.position)});
+    const meshing::ViewPictures view = meshing::draw_view(scene);
+    vision::write_png(
+        shop.staged.at("preview.png"),
+        view.textured.empty() ? view.clay : meshing::side_by_side(view.textured, view.clay));
+}
+
+void write_glb(const meshing::GltfScene& scene, const fs::path& path, const AssetOptions& options) {
+    write_staged_file(path, meshing::encode_glb(scene, {.quantise = options.quantise,
+                                                        .instancing = !options.plain_nodes}));
+}
+
+std::string level_name(std::size_t level) {
+    return "lods/rocks_lod" + std::to_string(level) + ".glb";
+}
+
+void write_rocks(const Workshop& shop) {
+    write_glb(shop.options.msft_lod
+                  ? scene_of_all_levels(shop.set, shop.meshes, shop.chains, shop.texture)
+                  : scene_of_rocks(shop.set, shop.meshes, shop.texture),
+              shop.staged.at("rocks.glb"), shop.options);
+}
+
+void write_level(const Workshop& shop, std::size_t level) {
+    write_glb(scene_of_level(shop.set, shop.meshes, shop.chains, level, shop.texture),
+              shop.staged.at(level_name(level)), shop.options);
+}
+
+void write_patch(const Workshop& shop) {
+    const auto patch =
+        meshing::scatter_rocks(shop.meshes, kPatchStones, {.seed = shop.options.seed});
+    write_glb(scene_of_patch(patch, shop.meshes, shop.texture), shop.staged.at("patch.glb"),
+              shop.options);
+}
+
+void write_sizes(const Workshop& shop) {
+    const vision::GrainSizeCurve curve = vision::grain_size_curve(shop.set);
+    write_staged_file(shop.staged.at("sizes.csv"), vision::sizes_to_csv(curve));
+    vision::write_png(shop.staged.at("sizes.png"), vision::draw_size_plot(curve));
+}
+
+// What other steps read.
+std::vector<Step> first_steps(Workshop& shop) {
+    std::vector<Step> steps;
+    steps.push_back({"heights", [&] { shop.heights = meshing::bake_displacement(shop.set); }});
+    steps.push_back({"meshes", [&] {
+                         build_meshes(shop);
+                         shop.chains = meshing::build_lod_chains(shop.meshes);
+                     }});
+    if (shop.photo != nullptr && shop.has_rocks())
+        steps.push_back(
+            {"texture", [&] { shop.texture = vision::encode_jpeg(*shop.photo, kTextureQuality); }});
+    return steps;
+}
+
+void stage_files(Workshop& shop) {
+    std::vector<std::string> names = {"rocks.json", "labels.png"};
+    if (shop.photo != nullptr)
+        names.emplace_back("overlay.png");
+    else
+        shop.report.left_out.emplace_back("overlay.png: there is no photograph");
+    names.emplace_back("preview.png");
+    if (shop.has_rocks()) {
+        names.emplace_back("rocks.glb");
+        for (std::size_t level = 1; level < level_count(shop.chains); ++level)
+            names.push_back(level_name(level));
+        names.emplace_back("lods.json");
+        names.emplace_back("patch.glb");
+    } else {
+        for (const char* name : {"rocks.glb", "lods.json", "patch.glb"})
+            shop.report.left_out.push_back(name + std::string(": there are no rocks"));
+    }
+    for (const char* name :
+         {"displacement.exr", "displacement.png", "normal.png", "ao.png", "sizes.csv", "sizes.png"})
+        names.emplace_back(name);
+    for (const std::string& name : names)
+        shop.stage(name);
+}
+
+void write_lod_list(const Workshop& shop) {
+    std::vector<std::string> files = {"rocks.glb"};
+    for (std::size_t level = 1; level < level_count(shop.chains); ++level)
+        files.push_back(level_name(level));
+    write_staged_file(shop.staged.at("lods.json"), lods_json(shop.chains, files));
+}
+
+// The longest first, so that no thread waits long at the end.
+std::vector<Step> last_steps(Workshop& shop) {
+    const auto path = [&shop](const char* name) { return shop.staged.at(name); };
+    std::vector<Step> steps;
+    if (shop.has_rocks())
+        steps.push_back({"patch", [&] { write_patch(shop); }});
+    steps.push_back({"preview", [&] { write_preview(shop); }});
+    if (shop.photo != nullptr)
+        steps.push_back({"overlay", [&, path] {
+                             vision::write_png(path("overlay.png"),
+                                               vision::draw_overlay(*shop.photo, shop.set));
+                         }});
+    steps.push_back({"normals", [&, path] {
+                         vision::write_png(path("normal.png"), meshing::normal_map(shop.heights));
+                     }});
+    steps.push_back({"occlusion", [&, path] {
+                         vision::write_png(path("ao.png"),
+                                           meshing::ambient_occlusion(shop.heights));
+                     }});
+    if (shop.has_rocks()) {
+        steps.push_back({"rocks", [&] { write_rocks(shop); }});
+        for (std::size_t level = 1; level < level_count(shop.chains); ++level)
+            steps.push_back(
+                {"lod " + std::to_string(level), [&, level] { write_level(shop, level); }});
+        steps.push_back({"lod list", [&] { write_lod_list(shop); }});
+    }
+    steps.push_back({"displacement exr", [&, path] {
+                         vision::write_heights_exr(path("displacement.exr"), shop.heights);
+                     }});
+    steps.push_back({"displacement png", [&, path] {
+                         vision::write_heights_png(path("displacement.png"), shop.heights);
+                     }});
+    steps.push_back({"labels", [&, path] {
+                         std::vector<vision::Outline> outlines;
+                         for (const vision::Rock& rock : shop.set.rocks)
+                             outlines.push_back(rock.outline);
+                         vision::write_labels(
+                             path("labels.png"),
+                             vision::paint_labels(outlines, shop.set.width, shop.set.height));
+                     }});
+    steps.push_back({"rocks.json", [&, path] {
+                         write_staged_file(path("rocks.json"), vision::rocks_to_json(shop.set));
+                     }});
+    steps.push_back({"sizes", [&] { write_sizes(shop); }});
+    return steps;
+}
+
+}  // namespace
+
+AssetReport write_rock_assets(const vision::RockSet& set, const Photo* photo,
+                              const fs::path& folder, const AssetOptions& options,
+                              OutputBatch& batch, Progress* progress) {
+    check(options);
+    vision::check_rock_set(set, "the set of rocks");
+    if (photo != nullptr && (photo->width() != set.width || photo->height() != set.height))
+        fail<InvalidInput>("the photograph has ", photo->width(), " x ", photo->height(),
+                           " pixels, its rocks were found on ", set.width, " x ", set.height);
+    Workshop shop{set, photo, folder, options, batch, progress};
+    run_steps(first_steps(shop), "building meshes", shop);
+    stage_files(shop);
+    run_steps(last_steps(shop), "writing files", shop);
+    return shop.report;
+}
+
+}  // namespace scree::apps

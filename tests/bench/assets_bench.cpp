@@ -1,0 +1,73 @@
+#include "meshing/bake/ambient_occlusion.h"
+#include "meshing/bake/height_bake.h"
+#include "meshing/bake/mesh_height_bake.h"
+#include "meshing/bake/normal_map.h"
+#include "tests/support/sample_rocks.h"
+
+#include <benchmark/benchmark.h>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace {
+
+using namespace scree;
+
+// A picture `width` pixels wide, 4:3, about as full of rocks as gravel is.
+vision::RockSet gravel(int width) {
+    const int height = width * 3 / 4;
+    return test::scattered_rocks(width, height, 900, width / 120.0, width / 30.0, 1);
+}
+
+int width_of(const benchmark::State& state) {
+    return static_cast<int>(state.range(0));
+}
+
+void count_pixels(benchmark::State& state) {
+    state.SetItemsProcessed(state.iterations() * state.range(0) * (state.range(0) * 3 / 4));
+}
+
+void displacement(benchmark::State& state) {
+    const auto rocks = gravel(width_of(state));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(meshing::bake_displacement(rocks));
+    count_pixels(state);
+}
+
+void mesh_displacement(benchmark::State& state) {
+    const auto rocks = gravel(width_of(state));
+    std::vector<meshing::TriMesh> meshes;
+    for (const auto& rock : rocks.rocks)
+        meshes.push_back(test::rock_surface(rock, rocks, 16, 32));
+    std::vector<meshing::PlacedMesh> placed;
+    for (std::size_t i = 0; i < meshes.size(); ++i)
+        placed.push_back(
+            {&meshes[i], glm::translate(glm::dmat4(1.0), test::rock_place(rocks.rocks[i], rocks))});
+    for (auto _ : state)
+        benchmark::DoNotOptimize(meshing::bake_mesh_heights(
+            placed, {rocks.width, rocks.height, rocks.metres_per_pixel}));
+    count_pixels(state);
+}
+
+void normals(benchmark::State& state) {
+    const auto heights = meshing::bake_displacement(gravel(width_of(state)));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(meshing::normal_map(heights));
+    count_pixels(state);
+}
+
+void occlusion(benchmark::State& state) {
+    const auto heights = meshing::bake_displacement(gravel(width_of(state)));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(meshing::ambient_occlusion(heights));
+    count_pixels(state);
+}
+
+void sizes(benchmark::internal::Benchmark* b) {
+    b->Arg(900)->Arg(2000)->Arg(4000)->Unit(benchmark::kMillisecond)->UseRealTime();
+}
+
+BENCHMARK(displacement)->Apply(sizes);
+BENCHMARK(mesh_displacement)->Apply(sizes);
+BENCHMARK(normals)->Apply(sizes);
+BENCHMARK(occlusion)->Apply(sizes);
+
+}  // namespace

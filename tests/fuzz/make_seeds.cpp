@@ -1,0 +1,81 @@
+#include "base/whole_file.h"
+#include "vision/data/rockdata_text.h"
+#include "vision/data/rocks_json.h"
+#include "vision/image_io.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <OpenImageIO/imageio.h>
+
+namespace fs = std::filesystem;
+using namespace scree;
+
+namespace {
+
+void write(const fs::path& path, const OIIO::ImageSpec& spec) {
+    std::vector<std::uint8_t> values(spec.image_bytes(), 0);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = static_cast<std::uint8_t>(i * 7919 % 61);
+    const auto output = OIIO::ImageOutput::create(path.string());
+    if (output && output->open(path.string(), spec)) {
+        output->write_image(spec.format, values.data());
+        output->close();
+    }
+}
+
+// Small pictures of every format, a few kinds of each.
+void image_seeds(const fs::path& folder) {
+    fs::create_directories(folder);
+    for (const char* ending : {"png", "jpg", "tif", "gif", "bmp", "webp", "ppm", "tga"})
+        for (const int n_channels : {1, 3, 4})
+            write(folder / ("u8-" + std::to_string(n_channels) + "." + ending),
+                  {9, 6, n_channels, OIIO::TypeDesc::UINT8});
+    for (const char* ending : {"png", "tif"})
+        write(folder / (std::string("u16.") + ending), {9, 6, 3, OIIO::TypeDesc::UINT16});
+    for (const char* ending : {"exr", "tif"})
+        write(folder / (std::string("float.") + ending), {9, 6, 3, OIIO::TypeDesc::FLOAT});
+    vision::write_heights_png(folder / "heights.png", {FloatRaster(5, 4), 0.001});
+}
+
+void label_seeds(const fs::path& folder) {
+    fs::create_directories(folder);
+    LabelMap labels(12, 9);
+    for (std::size_t i = 0; i < labels.size(); ++i)
+        labels.data()[i] = static_cast<std::uint16_t>(i / 7 % 3 * 300);
+    vision::write_labels(folder / "wide.png", labels);
+    vision::write_png(folder / "narrow.png", Raster<std::uint8_t>(7, 5, std::uint8_t{2}));
+    write(folder / "labels.tif", {9, 6, 1, OIIO::TypeDesc::UINT16});
+}
+
+vision::RockSet rocks(std::size_t n) {
+    vision::RockSet set{"a.png", 30, 20, 0.0005, "classical", {}};
+    for (std::size_t i = 0; i < n; ++i) {
+        vision::Rock rock;
+        rock.outline.centre = {8.5 + 9.0 * static_cast<double>(i), 10.25};
+        rock.outline.radii.fill(5.0F);
+        rock.depth = 5.0F;
+        rock.outline.touches_border = i == 1;
+        set.rocks.push_back(rock);
+    }
+    return set;
+}
+
+}  // namespace
+
+int main(int n_words, char** words) {
+    if (n_words != 2)
+        return 2;
+    const fs::path folder = words[1];
+    image_seeds(folder / "image");
+    label_seeds(folder / "labels");
+    fs::create_directories(folder / "rocks_json");
+    fs::create_directories(folder / "rocks_text");
+    for (const std::size_t n : {std::size_t{0}, std::size_t{1}, std::size_t{3}}) {
+        const std::string name = "rocks-" + std::to_string(n);
+        vision::write_rocks_json(folder / "rocks_json" / name, rocks(n));
+        vision::write_rocks_text(folder / "rocks_text" / name, rocks(n));
+    }
+    return 0;
+}
