@@ -13,6 +13,9 @@ std::span<const Command> commands() {
           "scree scatter out/rocks.json -o patch.glb --photo gravel.jpg --size-m 2 --count 3000",
           ""},
          run_scatter},
+        {{"procedural", "make rocks from spherical noise, without a photograph",
+          "scree procedural -o rock.glb --seed 7 --count 9 --picture rocks.png", ""},
+         run_procedural},
         {{"score", "compare label maps with hand-made ones", "scree score out/labels.png truth.png",
           "Several pairs give a line each and their mean. Label maps have one channel of 8 or 16 "
           "bits; 0 is background and every other value one rock."},

@@ -79,6 +79,21 @@ TEST_F(Mesh, ScatterCoversGroundAndTakesTheGrid) {
     EXPECT_THAT(check.output, HasSubstr("free.glb: sound"));
 }
 
+TEST_F(Mesh, ProceduralRocksNeedNoPhotograph) {
+    const ProgramRun run = test::scree({"procedural", "-o", at("p.glb"), "--picture", at("p.png"),
+                                        "--count", "5", "--segments", "24", "--seed", "11"});
+    ASSERT_EQ(run.status, 0) << run.errors;
+    EXPECT_EQ(test::scree({"check", at("p.glb")}).status, 0);
+    EXPECT_THAT(read_whole_file(at("p.glb"), 1 << 24), HasSubstr("rock_seed_15"));
+    EXPECT_EQ(vision::read_photo(at("p.png")).pixels.width(), 900);
+    const std::string bytes = read_whole_file(at("p.glb"), 1 << 24);
+    ASSERT_EQ(test::scree({"procedural", "-o", at("p.glb"), "--count", "5", "--segments", "24",
+                           "--seed", "11", "--threads", "1"})
+                  .status,
+              0);
+    EXPECT_TRUE(read_whole_file(at("p.glb"), 1 << 24) == bytes);
+}
+
 TEST_F(Mesh, CheckFindsWhatIsWrong) {
     ASSERT_EQ(
         test::scree({"scatter", at("made.json"), "-o", at("good.glb"), "--count", "50"}).status, 0);
