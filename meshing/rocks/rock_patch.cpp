@@ -85,10 +85,7 @@ glm::dvec2 first_size(const std::vector<Wanted>& stones, const PatchOptions& opt
 }
 
 double coverage_of(const StoneTorus& torus) {
-    double area = 0.0;
-    for (const StoneTorus::Stone& stone : torus.stones())
-        area += area_of(stone.shape);
-    return area / (torus.size().x * torus.size().y);
+    return torus.covered_area() / (torus.size().x * torus.size().y);
 }
 
 glm::dvec2 anywhere(const StoneTorus& torus, Rng& rng) {
@@ -103,7 +100,7 @@ StoneTorus throw_darts(const std::vector<Wanted>& stones, const PatchOptions& op
     StoneTorus torus(first_size(stones, options), 2.0 * middle);
     for (std::uint32_t i = 0; i < stones.size(); ++i) {
         Rng rng(key(options, kDart, 0, i));
-        for (int attempt = 1; !torus.add_by_disc({stones[i].shape, anywhere(torus, rng), 0.0, i});
+        for (int attempt = 1; !torus.add_by_disc({stones[i].shape, anywhere(torus, rng), i});
              ++attempt)
             if (attempt % options.tries == 0)
                 torus.grow(kGrowth);
@@ -133,7 +130,8 @@ bool put_near(StoneTorus& torus, StoneTorus::Stone stone, int tries, Rng& rng) {
 StoneTorus squeezed(const StoneTorus& torus, glm::dvec2 size, const PatchOptions& options,
                     std::uint64_t round, bool all_or_none) {
     StoneTorus tight(size, torus.cell_size());
-    for (StoneTorus::Stone stone : torus.stones()) {
+    for (std::size_t i = 0; i < torus.n_stones(); ++i) {
+        StoneTorus::Stone stone = torus.stone(i);
         stone.position *= size / torus.size();
         Rng rng(key(options, kRetry, round, stone.label));
         if (!put_near(tight, stone, options.tries, rng) && all_or_none)
@@ -145,7 +143,7 @@ StoneTorus squeezed(const StoneTorus& torus, glm::dvec2 size, const PatchOptions
 // Move the stones together, until there is no more room, the ground is as small as asked for, or
 // the sweeps are used up.
 void close_gaps(StoneTorus& torus, const PatchOptions& options, double least_side) {
-    const std::size_t n_stones = torus.stones().size();
+    const std::size_t n_stones = torus.n_stones();
     double shrink = 0.9;
     for (int sweep = 0; sweep < options.sweeps; ++sweep) {
         move_into_voids(torus, options.step);
@@ -154,7 +152,7 @@ void close_gaps(StoneTorus& torus, const PatchOptions& options, double least_sid
         if (size == torus.size())
             continue;
         StoneTorus tight = squeezed(torus, size, options, static_cast<std::uint64_t>(sweep), true);
-        if (tight.stones().size() == n_stones)
+        if (tight.n_stones() == n_stones)
             torus = std::move(tight);
         else
             shrink = std::sqrt(shrink);
@@ -168,7 +166,7 @@ StoneTorus place(const std::vector<Wanted>& stones, const PatchOptions& options,
     close_gaps(torus, options, kLeastSide * static_cast<double>(stones.front().shape.radius));
     if (has_size(options) && torus.size() != wanted_size(options))
         torus = squeezed(torus, wanted_size(options), options, kLastRound, false);
-    report.left_out = stones.size() - torus.stones().size();
+    report.left_out = stones.size() - torus.n_stones();
     report.coverage = coverage_of(torus);
     return torus;
 }
@@ -182,8 +180,9 @@ RockPatch patch_of(const std::vector<RockMesh>& rocks, std::vector<std::size_t> 
     prepare(stones, silhouettes_of(rocks, patch.prototypes), options);
     const StoneTorus torus = place(stones, options, patch.report);
     patch.size = torus.size();
-    patch.instances.reserve(torus.stones().size());
-    for (const StoneTorus::Stone& placed : torus.stones()) {
+    patch.instances.reserve(torus.n_stones());
+    for (std::size_t i = 0; i < torus.n_stones(); ++i) {
+        const StoneTorus::Stone placed = torus.stone(i);
         const Wanted& stone = stones[placed.label];
         const glm::dvec2 at = placed.position - 0.5 * patch.size;
         const double y = static_cast<double>(rocks[patch.prototypes[stone.prototype]].position.y);

@@ -17,22 +17,26 @@ namespace {
 
 constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
 constexpr long kMostCells = 1024;  // along a side
-constexpr std::size_t kDirections = 12;
+constexpr std::size_t kDirections = 8;
 
 double radius_of(const StoneTorus::Stone& stone) {
     return static_cast<double>(stone.shape.radius);
 }
 
+double squared(glm::dvec2 v) {
+    return glm::dot(v, v);
+}
+
 // How far a stone can go along a direction before its disc meets a neighbour's, discs of equal area
 // standing in for the silhouettes; at most `reach`.
-struct Disc {
+struct Obstacle {
     glm::dvec2 offset;
     double reach;  // sum of both radii
 };
 
-double free_way(const std::vector<Disc>& discs, glm::dvec2 direction, double reach) {
+double free_way(const std::vector<Obstacle>& obstacles, glm::dvec2 direction, double reach) {
     double free = reach;
-    for (const Disc& disc : discs) {
+    for (const Obstacle& disc : obstacles) {
         const double along = glm::dot(disc.offset, direction);
         if (along <= 0.0)
             continue;
@@ -57,7 +61,8 @@ Directions all_round() {
 
 }  // namespace
 
-StoneTorus::StoneTorus(glm::dvec2 size, double cell_size) : size_(size), cell_size_(cell_size) {
+StoneTorus::StoneTorus(glm::dvec2 size, double cell_size)
+    : size_(size), turns_(1.0 / size), cell_size_(cell_size) {
     const bool positive = size.x > 0.0 && size.y > 0.0 && cell_size > 0.0;
     if (!positive || !std::isfinite(size.x) || !std::isfinite(size.y) || !std::isfinite(cell_size))
         fail<InvalidOption>("the patch is ", size.x, " x ", size.y, " m with cells of ", cell_size,
@@ -67,7 +72,7 @@ StoneTorus::StoneTorus(glm::dvec2 size, double cell_size) : size_(size), cell_si
 
 glm::dvec2 StoneTorus::offset(glm::dvec2 from, glm::dvec2 to) const {
     const glm::dvec2 way = to - from;
-    return way - size_ * glm::floor(way / size_ + 0.5);
+    return way - size_ * glm::floor(way * turns_ + 0.5);
 }
 
 glm::dvec2 StoneTorus::wrapped(glm::dvec2 position) const {
@@ -107,9 +112,8 @@ void StoneTorus::find_neighbours(glm::dvec2 position, double radius,
                                  std::vector<std::uint32_t>& found) const {
     for_cells(position, radius, [&](std::size_t cell) {
         for (const std::uint32_t i : cells_[cell]) {
-            const glm::dvec2 way = offset(position, stones_[i].position);
-            const double reach = radius + radius_of(stones_[i]);
-            if (glm::dot(way, way) < reach * reach)
+            const double reach = radius + discs_[i].radius;
+            if (squared(offset(position, discs_[i].position)) < reach * reach)
                 found.push_back(i);
         }
         return true;
@@ -117,14 +121,18 @@ void StoneTorus::find_neighbours(glm::dvec2 position, double radius,
 }
 
 bool StoneTorus::is_clear(const Silhouette& shape, glm::dvec2 position, std::uint32_t self) const {
+    const auto radius = static_cast<double>(shape.radius);
     bool clear = true;
-    for_cells(position, static_cast<double>(shape.radius), [&](std::size_t cell) {
-        for (const std::uint32_t i : cells_[cell])
-            if (i != self && overlap(shape, stones_[i].shape,
-                                     glm::vec2(offset(position, stones_[i].position)))) {
+    for_cells(position, radius, [&](std::size_t cell) {
+        for (const std::uint32_t i : cells_[cell]) {
+            const glm::dvec2 way = offset(position, discs_[i].position);
+            const double reach = radius + discs_[i].radius;
+            if (i != self && squared(way) <= reach * reach &&
+                overlap(shape, shapes_[i], glm::vec2(way))) {
                 clear = false;
                 return false;
             }
+        }
         return true;
     });
     return clear;
@@ -132,12 +140,12 @@ bool StoneTorus::is_clear(const Silhouette& shape, glm::dvec2 position, std::uin
 
 bool StoneTorus::add_by_disc(const Stone& stone) {
     check_reach(stone);
+    const double radius = radius_of(stone);
     bool clear = true;
-    for_cells(stone.position, radius_of(stone), [&](std::size_t cell) {
+    for_cells(stone.position, radius, [&](std::size_t cell) {
         for (const std::uint32_t i : cells_[cell]) {
-            const glm::dvec2 way = offset(stone.position, stones_[i].position);
-            const double reach = radius_of(stone) + radius_of(stones_[i]);
-            if (glm::dot(way, way) < reach * reach) {
+            const double reach = radius + discs_[i].radius;
+            if (squared(offset(stone.position, discs_[i].position)) < reach * reach) {
                 clear = false;
                 return false;
             }
@@ -158,12 +166,12 @@ bool StoneTorus::add_by_silhouette(const Stone& stone) {
 }
 
 bool StoneTorus::move(std::uint32_t stone, glm::dvec2 to) {
-    assert(stone < stones_.size());
+    assert(stone < discs_.size());
     const glm::dvec2 position = wrapped(to);
-    if (!is_clear(stones_[stone].shape, position, stone))
+    if (!is_clear(shapes_[stone], position, stone))
         return false;
     unlist(stone);
-    stones_[stone].position = position;
+    discs_[stone].position = position;
     list(stone);
     return true;
 }
@@ -171,27 +179,36 @@ bool StoneTorus::move(std::uint32_t stone, glm::dvec2 to) {
 void StoneTorus::grow(double factor) {
     assert(factor >= 1.0);
     size_ *= factor;
-    for (Stone& stone : stones_)
-        stone.position = wrapped(stone.position * factor);
+    turns_ = 1.0 / size_;
+    for (Disc& disc : discs_)
+        disc.position = wrapped(disc.position * factor);
     reset_cells();
 }
 
+double StoneTorus::covered_area() const {
+    double area = 0.0;
+    for (const Silhouette& shape : shapes_)
+        area += area_of(shape);
+    return area;
+}
+
 void StoneTorus::insert(const Stone& stone) {
-    stones_.push_back(stone);
-    stones_.back().position = wrapped(stone.position);
-    stones_.back().disc_radius = std::sqrt(area_of(stone.shape) / std::numbers::pi);
-    list(static_cast<std::uint32_t>(stones_.size() - 1));
+    discs_.push_back({wrapped(stone.position), radius_of(stone),
+                      std::sqrt(area_of(stone.shape) / std::numbers::pi)});
+    shapes_.push_back(stone.shape);
+    labels_.push_back(stone.label);
+    list(static_cast<std::uint32_t>(discs_.size() - 1));
 }
 
 void StoneTorus::list(std::uint32_t stone) {
-    for_cells(stones_[stone].position, radius_of(stones_[stone]), [&](std::size_t cell) {
+    for_cells(discs_[stone].position, discs_[stone].radius, [&](std::size_t cell) {
         cells_[cell].push_back(stone);
         return true;
     });
 }
 
 void StoneTorus::unlist(std::uint32_t stone) {
-    for_cells(stones_[stone].position, radius_of(stones_[stone]), [&](std::size_t cell) {
+    for_cells(discs_[stone].position, discs_[stone].radius, [&](std::size_t cell) {
         std::erase(cells_[cell], stone);
         return true;
     });
@@ -204,7 +221,7 @@ void StoneTorus::reset_cells() {
     columns_ = count(size_.x);
     rows_ = count(size_.y);
     cells_.assign(static_cast<std::size_t>(columns_ * rows_), {});
-    for (std::uint32_t i = 0; i < stones_.size(); ++i)
+    for (std::uint32_t i = 0; i < discs_.size(); ++i)
         list(i);
 }
 
@@ -212,22 +229,22 @@ double move_into_voids(StoneTorus& torus, double step_share) {
     const Directions directions = all_round();
     double moved = 0.0;
     std::vector<std::uint32_t> near;
-    std::vector<Disc> discs;
-    for (std::uint32_t i = 0; i < torus.stones().size(); ++i) {
-        const StoneTorus::Stone& stone = torus.stones()[i];
-        const double own = stone.disc_radius;
+    std::vector<Obstacle> obstacles;
+    for (std::uint32_t i = 0; i < torus.n_stones(); ++i) {
+        const StoneTorus::Disc stone = torus.disc(i);
+        const double own = stone.mean_radius;
         const double reach = std::min(2.0 * own, torus.cell_size());
         near.clear();
-        discs.clear();
+        obstacles.clear();
         torus.find_neighbours(stone.position, reach + own, near);
         for (const std::uint32_t j : near)
             if (j != i)
-                discs.push_back({torus.offset(stone.position, torus.stones()[j].position),
-                                 own + torus.stones()[j].disc_radius});
+                obstacles.push_back({torus.offset(stone.position, torus.disc(j).position),
+                                     own + torus.disc(j).mean_radius});
         double largest = 0.0;
         glm::dvec2 towards(0.0);
         for (const glm::dvec2& direction : directions) {
-            const double free = free_way(discs, direction, reach);
+            const double free = free_way(obstacles, direction, reach);
             if (free > largest) {
                 largest = free;
                 towards = direction;

@@ -17,9 +17,15 @@ class StoneTorus {
 public:
     struct Stone {
         Silhouette shape;          ///< Turned and scaled as it lies.
-        glm::dvec2 position{0.0};  ///< In [0, size) along both sides, metres.
-        double disc_radius = 0.0;  ///< Of the disc of equal area; the torus fills it in.
+        glm::dvec2 position{0.0};  ///< Metres; taken modulo the size.
         std::uint32_t label = 0;   ///< The caller's number for it.
+    };
+
+    /// Where a stone lies and how far it reaches.
+    struct Disc {
+        glm::dvec2 position{0.0};  ///< In [0, size) along both sides, metres.
+        double radius = 0.0;       ///< Of the disc about it.
+        double mean_radius = 0.0;  ///< Of the disc of equal area.
     };
 
     /// @param size       Of the rectangle, metres.
@@ -27,7 +33,11 @@ public:
     /// @throw InvalidOption  a size is not positive and finite.
     StoneTorus(glm::dvec2 size, double cell_size);
 
-    const std::vector<Stone>& stones() const { return stones_; }
+    std::size_t n_stones() const { return discs_.size(); }
+    const Disc& disc(std::size_t stone) const { return discs_[stone]; }
+    Stone stone(std::size_t i) const { return {shapes_[i], discs_[i].position, labels_[i]}; }
+    /// Area under silhouettes, square metres.
+    double covered_area() const;
     glm::dvec2 size() const { return size_; }
     double cell_size() const { return cell_size_; }
 
@@ -65,10 +75,13 @@ private:
     void reset_cells();
 
     glm::dvec2 size_;
+    glm::dvec2 turns_;  // 1 / size
     double cell_size_;
     long columns_ = 1;
     long rows_ = 1;
-    std::vector<Stone> stones_;
+    std::vector<Disc> discs_;  // apart from the silhouettes, which few look-ups need
+    std::vector<Silhouette> shapes_;
+    std::vector<std::uint32_t> labels_;
     std::vector<std::vector<std::uint32_t>> cells_;
 };
 
