@@ -1,6 +1,5 @@
 #include "apps/rock_assets.h"
 
-#include "apps/rock_scene.h"
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
@@ -8,6 +7,8 @@
 #include "meshing/bake/height_bake.h"
 #include "meshing/bake/normal_map.h"
 #include "meshing/gltf/gltf_write.h"
+#include "meshing/gltf/rock_scene.h"
+#include "meshing/gltf/texture_atlas.h"
 #include "meshing/render/raster_view.h"
 #include "meshing/rocks/world_frame.h"
 #include "vision/data/grain_size.h"
@@ -31,6 +32,8 @@ namespace fs = std::filesystem;
 
 constexpr int kTextureQuality = 90;
 constexpr int kPatchStones = 2000;
+
+using LodChains = std::vector<std::vector<meshing::LodLevel>>;
 
 // A step of the work and the time it took; steps of one list run at the same time.
 struct Step {
@@ -119,9 +122,9 @@ void write_preview(const Workshop& shop) {
         view.textured.empty() ? view.clay : meshing::side_by_side(view.textured, view.clay));
 }
 
-void write_glb(const meshing::GltfScene& scene, const fs::path& path, const AssetOptions& options) {
-    write_staged_file(path, meshing::encode_glb(scene, {.quantise = options.quantise,
-                                                        .instancing = !options.plain_nodes}));
+void write_glb(const meshing::GltfScene& scene, const fs::path& path,
+               const meshing::GltfWriteOptions& options) {
+    write_staged_file(path, meshing::encode_glb(scene, options));
 }
 
 std::string level_name(std::size_t level) {
@@ -130,21 +133,31 @@ std::string level_name(std::size_t level) {
 
 void write_rocks(const Workshop& shop) {
     write_glb(shop.options.msft_lod
-                  ? scene_of_all_levels(shop.set, shop.meshes, shop.chains, shop.texture)
-                  : scene_of_rocks(shop.set, shop.meshes, shop.texture),
-              shop.staged.at("rocks.glb"), shop.options);
+                  ? meshing::rock_lods_scene(shop.set, shop.meshes, shop.chains, shop.texture)
+                  : meshing::rock_scene(shop.set, shop.meshes, shop.texture),
+              shop.staged.at("rocks.glb"), {.quantise = shop.options.quantise});
 }
 
+// Seen from further away, a level needs half the texture of the one before.
 void write_level(const Workshop& shop, std::size_t level) {
-    write_glb(scene_of_level(shop.set, shop.meshes, shop.chains, level, shop.texture),
-              shop.staged.at(level_name(level)), shop.options);
+    std::vector<std::uint8_t> texture;
+    if (shop.photo != nullptr)
+        texture =
+            vision::encode_jpeg(meshing::reduced_photo(*shop.photo, 1 << level), kTextureQuality);
+    write_glb(meshing::rock_lod_scene(shop.set, shop.meshes, shop.chains, level, texture),
+              shop.staged.at(level_name(level)), {.quantise = shop.options.quantise});
 }
 
+// Whoever reads the instancing extension reads quantised vertices too, so those are packed anyway.
 void write_patch(const Workshop& shop) {
     const auto patch =
         meshing::scatter_rocks(shop.meshes, kPatchStones, {.seed = shop.options.seed});
-    write_glb(scene_of_patch(patch, shop.meshes, shop.texture), shop.staged.at("patch.glb"),
-              shop.options);
+    meshing::GltfScene scene = meshing::patch_scene(shop.set, shop.meshes, patch);
+    if (shop.photo != nullptr)
+        meshing::use_texture_atlas(scene, *shop.photo);
+    write_glb(scene, shop.staged.at("patch.glb"),
+              {.quantise = shop.options.quantise || !shop.options.plain_nodes,
+               .instancing = !shop.options.plain_nodes});
 }
 
 void write_sizes(const Workshop& shop) {
@@ -176,7 +189,7 @@ void stage_files(Workshop& shop) {
     names.emplace_back("preview.png");
     if (shop.has_rocks()) {
         names.emplace_back("rocks.glb");
-        for (std::size_t level = 1; level < level_count(shop.chains); ++level)
+        for (std::size_t level = 1; level < meshing::deepest_level(shop.chains); ++level)
             names.push_back(level_name(level));
         names.emplace_back("lods.json");
         names.emplace_back("patch.glb");
@@ -193,9 +206,10 @@ void stage_files(Workshop& shop) {
 
 void write_lod_list(const Workshop& shop) {
     std::vector<std::string> files = {"rocks.glb"};
-    for (std::size_t level = 1; level < level_count(shop.chains); ++level)
+    for (std::size_t level = 1; level < meshing::deepest_level(shop.chains); ++level)
         files.push_back(level_name(level));
-    write_staged_file(shop.staged.at("lods.json"), lods_json(shop.chains, files));
+    write_staged_file(shop.staged.at("lods.json"),
+                      meshing::lods_json(shop.meshes, shop.chains, files));
 }
 
 // The longest first, so that no thread waits long at the end.
@@ -219,7 +233,7 @@ std::vector<Step> last_steps(Workshop& shop) {
                      }});
     if (shop.has_rocks()) {
         steps.push_back({"rocks", [&] { write_rocks(shop); }});
-        for (std::size_t level = 1; level < level_count(shop.chains); ++level)
+        for (std::size_t level = 1; level < meshing::deepest_level(shop.chains); ++level)
             steps.push_back(
                 {"lod " + std::to_string(level), [&, level] { write_level(shop, level); }});
         steps.push_back({"lod list", [&] { write_lod_list(shop); }});

@@ -19,7 +19,7 @@ namespace scree::apps {
 struct AssetOptions {
     int max_segments = 30;     ///< Of the largest rock's mesh.
     std::int64_t seed = 1;     ///< Of the scattered patch.
-    bool quantise = false;     ///< Pack vertices with KHR_mesh_quantization.
+    bool quantise = false;     ///< Pack vertices by KHR_mesh_quantization; patch.glb always is.
     bool msft_lod = false;     ///< Put the levels of detail into rocks.glb with MSFT_lod.
     bool plain_nodes = false;  ///< Write the patch as plain nodes, for viewers without instancing.
 };
@@ -29,7 +29,8 @@ void describe(AssetOptions& o, Visitor&& field) {
     field("max-segments", o.max_segments,
           {.min = 3, .max = 720, .help = "segments of the largest rock's mesh"});
     field("seed", o.seed, {.min = 0, .max = 9e15, .help = "seed of the scattered patch"});
-    field("quantise", o.quantise, {.help = "pack vertices with KHR_mesh_quantization"});
+    field("quantise", o.quantise,
+          {.help = "pack vertices of rocks.glb and lods/ with KHR_mesh_quantization"});
     field("msft-lod", o.msft_lod, {.help = "put levels of detail into rocks.glb with MSFT_lod"});
     field("plain-nodes", o.plain_nodes,
           {.help = "write the patch as plain nodes, for viewers without EXT_mesh_gpu_instancing"});

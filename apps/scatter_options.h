@@ -10,7 +10,7 @@ struct ScatterOptions {
     double size_m = 0.0;       ///< Edge of the square patch, metres; 0: what the stones need.
     int grid = 0;              ///< Instead: so many copies of the photograph along each side.
     int max_segments = 30;     ///< Of the largest rock's mesh.
-    bool quantise = false;     ///< Pack vertices with KHR_mesh_quantization.
+    bool quantise = false;     ///< Pack vertices of plain nodes too, by KHR_mesh_quantization.
     bool plain_nodes = false;  ///< Write plain nodes instead of EXT_mesh_gpu_instancing.
 };
 
@@ -27,7 +27,8 @@ void describe(ScatterOptions& o, Visitor&& field) {
                    "lie; 0 for none"});
     field("max-segments", o.max_segments,
           {.min = 3, .max = 720, .help = "segments of the largest rock's mesh"});
-    field("quantise", o.quantise, {.help = "pack vertices with KHR_mesh_quantization"});
+    field("quantise", o.quantise,
+          {.help = "pack vertices of plain nodes too, with KHR_mesh_quantization"});
     field("plain-nodes", o.plain_nodes,
           {.help = "write plain nodes, for viewers without EXT_mesh_gpu_instancing"});
 }

@@ -1,10 +1,11 @@
 #include "apps/commands.h"
 #include "apps/common_options.h"
-#include "apps/rock_scene.h"
 #include "apps/scatter_options.h"
 #include "base/parallel.h"
 #include "base/whole_file.h"
 #include "meshing/gltf/gltf_write.h"
+#include "meshing/gltf/rock_scene.h"
+#include "meshing/gltf/texture_atlas.h"
 #include "meshing/rocks/world_frame.h"
 #include "vision/data/rocks_json.h"
 #include "vision/image_io.h"
@@ -73,11 +74,13 @@ void run_scatter(Arguments& arguments) {
     const vision::RockSet set = vision::read_rocks_json(rocks);
     const auto meshes = meshing::build_rock_meshes(set, {.max_segments = scatter.max_segments});
     const auto patch = make_patch(set, meshes, scatter, patch_options);
-    const auto texture = photo.empty() ? std::vector<std::uint8_t>()
-                                       : vision::encode_jpeg(vision::read_photo(photo).pixels, 90);
-    write_whole_file(output, meshing::encode_glb(scene_of_patch(patch, meshes, texture),
-                                                 {.quantise = scatter.quantise,
-                                                  .instancing = !scatter.plain_nodes}));
+    meshing::GltfScene scene = meshing::patch_scene(set, meshes, patch);
+    if (!photo.empty())
+        meshing::use_texture_atlas(scene, vision::read_photo(photo).pixels,
+                                   {.max_side = scatter.grid > 0 ? 4096 : 1024});
+    write_whole_file(
+        output, meshing::encode_glb(scene, {.quantise = scatter.quantise || !scatter.plain_nodes,
+                                            .instancing = !scatter.plain_nodes}));
     if (!common.quiet)
         print_report(patch, output, common.json);
 }
