@@ -1,0 +1,93 @@
+#include "vision/classical/candidate_outline_finder.h"
+
+#include "base/options.h"
+#include "base/parallel.h"
+#include "vision/classical/complete_field.h"
+#include "vision/classical/region_hierarchy.h"
+#include "vision/classical/region_outline.h"
+#include "vision/classical/tree_selection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <tuple>
+
+namespace scree::vision {
+namespace {
+
+// Least mean boundary along a rock's border, so that plain surfaces give nothing at all.
+constexpr float kLeastBorder = 0.2F;
+// First scores under this are not looked at again.
+constexpr float kLeastMatch = 0.08F;
+
+struct Candidate {
+    int region = 0;
+    Outline outline;
+    CandidateFeatures features{};
+};
+
+bool has_border(const RegionNode& node) {
+    return node.outer.length > node.frame && node.outer.mean() >= kLeastBorder;
+}
+
+std::vector<Candidate> shortlist(const RegionHierarchy& hierarchy, const EdgeField& field,
+                                 const std::vector<RegionScore>& scores, double smooth_px) {
+    std::vector<Candidate> list;
+    for (std::size_t i = 0; i < scores.size(); ++i)
+        if (scores[i].match >= kLeastMatch && has_border(hierarchy.tree.nodes[i]))
+            list.push_back({static_cast<int>(i), {}, {}});
+    const RegionIndex index(hierarchy);
+    parallel_for_each_index(0, list.size(), 16, [&](std::size_t i) {
+        Candidate& c = list[i];
+        c.outline = region_outline(index, hierarchy.tree.nodes[static_cast<std::size_t>(c.region)],
+                                   c.region, smooth_px);
+        c.features = candidate_features(hierarchy.tree, c.region, c.outline, field);
+    });
+    return list;
+}
+
+void order(std::vector<Outline>& outlines) {
+    std::stable_sort(outlines.begin(), outlines.end(), [](const Outline& a, const Outline& b) {
+        return std::make_tuple(-a.confidence, a.centre.y, a.centre.x) <
+               std::make_tuple(-b.confidence, b.centre.y, b.centre.x);
+    });
+}
+
+}  // namespace
+
+CandidateOutlineFinder::CandidateOutlineFinder(const CandidateOptions& options,
+                                               const ScoreModel& score)
+    : options_(options), score_(&score) {
+    check(options_);
+}
+
+std::vector<Outline> CandidateOutlineFinder::find(const Photo& photo,
+                                                  const EdgeField& given) const {
+    EdgeField completed;
+    const EdgeField& field = complete_field(photo, given, completed);
+    const RegionHierarchy hierarchy = region_hierarchy(photo, field);
+    const double least_area = 0.25 * std::numbers::pi * options_.min_size * options_.min_size;
+    const auto first = score_regions(hierarchy.tree, 0.9 * least_area, score_->region);
+    auto candidates = shortlist(hierarchy, field, first, options_.smooth);
+    std::vector<CandidateFeatures> features;
+    std::ranges::transform(candidates, std::back_inserter(features), &Candidate::features);
+    const auto scores = score_candidates(features, score_->outline);
+
+    std::vector<float> worth(hierarchy.tree.nodes.size(), -1.0F);
+    std::vector<std::size_t> candidate_of(worth.size(), 0);
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const auto region = static_cast<std::size_t>(candidates[i].region);
+        candidates[i].outline.confidence = scores[i].match;
+        candidate_of[region] = i;
+        if (equivalent_diameter(candidates[i].outline) >= options_.min_size)
+            worth[region] =
+                0.5F * (scores[i].match + scores[i].overlap) - static_cast<float>(options_.caution);
+    }
+    std::vector<Outline> outlines;
+    for (const int region : select_regions(hierarchy.tree, worth))
+        outlines.push_back(candidates[candidate_of[static_cast<std::size_t>(region)]].outline);
+    order(outlines);
+    return outlines;
+}
+
+}  // namespace scree::vision

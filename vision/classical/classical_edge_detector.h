@@ -1,0 +1,38 @@
+#pragma once
+
+#include "vision/classical/field_model.h"
+#include "vision/classical/pixel_features.h"
+#include "vision/edge_field.h"
+
+namespace scree::vision {
+
+/// Edge field from measured values of each pixel and its surroundings, put together by four small
+/// networks, from the coarsest of several scales to the finest.
+class ClassicalEdgeDetector : public EdgeDetector {
+public:
+    /// @param model  What to use; must outlive the detector.
+    explicit ClassicalEdgeDetector(const FieldModel& model = trained_field_model())
+        : model_(&model) {}
+
+    /// @pre The photograph is not empty.
+    /// @throw InvalidInput  it is.
+    EdgeField detect(const Photo& photo) const override;
+
+private:
+    const FieldModel* model_;
+};
+
+/// What a network says at one level: planes boundary, inside, distance without margin.
+Context level_field(const LightLevel& level, const Context& context, const Mlp& mlp);
+
+/// What the networks of one phase's coarse levels say, down to `last`, brought to the size of the
+/// next finer level with the margin of its planes; empty for the coarsest level.
+Context phase_context(const CoarseLevels& coarse, const FieldModel& model, std::size_t last);
+
+/// What all coarse levels say, averaged over the phases and brought to level 1.
+Context coarse_context(const LightPyramid& pyramid, const FieldModel& model);
+
+/// Planes of level 1, brought to level 0 with the margin of its planes.
+Context context_from(const Context& coarse);
+
+}  // namespace scree::vision
