@@ -1,14 +1,14 @@
 #pragma once
 
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
-
 #include "base/options.h"
 #include "base/progress.h"
 #include "vision/refine/refine_outlines.h"
 #include "vision/rock_data.h"
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace scree::vision {
 
@@ -26,16 +26,17 @@ constexpr std::span<const std::string_view> names_of(Method) {
 
 struct ExtractionOptions {
     Method method = Method::Classical;
-    double min_size = 8.0;    ///< Least equivalent diameter of a rock, px.
-    bool refine = true;       ///< Fit a generalised ellipsoid to every outline.
-    bool keep_stages = false; ///< Keep a picture of every stage.
+    double min_size = 8.0;     ///< Least equivalent diameter of a rock, px.
+    bool refine = true;        ///< Fit a generalised ellipsoid to every outline.
+    bool keep_stages = false;  ///< Keep a picture of every stage.
 };
 
 template <class Visitor>
 void describe(ExtractionOptions& o, Visitor&& field) {
     field("method", o.method, FieldInfo{.help = "how outlines are found"});
     field("min-size", o.min_size,
-          FieldInfo{.min = 3, .max = 10000, .unit = "px", .help = "least equivalent diameter of a rock"});
+          FieldInfo{
+              .min = 3, .max = 10000, .unit = "px", .help = "least equivalent diameter of a rock"});
     field("refine", o.refine, FieldInfo{.help = "fit a generalised ellipsoid to every outline"});
     field("debug-stages", o.keep_stages, FieldInfo{.help = "keep a picture of every stage"});
 }
@@ -47,7 +48,8 @@ struct RockExtraction {
     double edge_seconds = 0.0;
     double outline_seconds = 0.0;  ///< Without refinement.
     double refine_seconds = 0.0;
-    std::vector<std::pair<std::string, Photo>> stages;  ///< Name and picture, in the order of the chain.
+    std::vector<std::pair<std::string, Photo>>
+        stages;  ///< Name and picture, in the order of the chain.
 };
 
 /// Find the rocks of a photograph: edge field, outlines, refinement.

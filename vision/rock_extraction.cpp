@@ -1,0 +1,105 @@
+#include "vision/rock_extraction.h"
+
+#include "base/error.h"
+#include "base/stopwatch.h"
+#include "vision/classical/candidate_outline_finder.h"
+#include "vision/classical/classical_edge_detector.h"
+#include "vision/thesis/ray_outline_finder.h"
+#include "vision/thesis/thesis_edge_detector.h"
+#include "vision/thesis/thesis_method.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace scree::vision {
+namespace {
+
+struct Chain {
+    std::unique_ptr<EdgeDetector> detector;
+    std::unique_ptr<OutlineFinder> finder;
+};
+
+Chain make_chain(const ExtractionOptions& options) {
+    if (options.method == Method::Thesis)
+        return {std::make_unique<ThesisEdgeDetector>(), std::make_unique<RayOutlineFinder>()};
+    return {
+        std::make_unique<ClassicalEdgeDetector>(),
+        std::make_unique<CandidateOutlineFinder>(CandidateOptions{.min_size = options.min_size})};
+}
+
+std::vector<Rock> unrefined(std::vector<Outline> outlines) {
+    std::vector<Rock> rocks;
+    rocks.reserve(outlines.size());
+    for (Outline& outline : outlines) {
+        const float depth = *std::min_element(outline.radii.begin(), outline.radii.end());
+        rocks.push_back({std::move(outline), depth, 0.0F});
+    }
+    return rocks;
+}
+
+Photo grey_picture(const FloatRaster& channel) {
+    Photo picture(channel.width(), channel.height());
+    std::transform(channel.begin(), channel.end(), picture.begin(), [](float value) {
+        return glm::u8vec3(
+            static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(value, 0.0F, 1.0F))));
+    });
+    return picture;
+}
+
+void keep_field(RockExtraction& result, const EdgeField& field) {
+    const std::pair<const char*, const FloatRaster*> channels[] = {
+        {"boundary", &field.boundary}, {"inside", &field.inside}, {"distance", &field.distance}};
+    for (const auto& [name, channel] : channels)
+        if (!channel->empty())
+            result.stages.emplace_back(name, grey_picture(*channel));
+}
+
+}  // namespace
+
+RockExtraction extract_rocks(const Photo& photo, const EdgeDetector& detector,
+                             const OutlineFinder& finder, const ExtractionOptions& options,
+                             Progress* progress) {
+    check(options);
+    if (photo.empty())
+        fail<InvalidInput>("the photograph has no pixels");
+    RockExtraction result;
+    Stopwatch watch;
+    report_progress(progress, "finding edges", 0.0);
+    const EdgeField field = detector.detect(photo);
+    result.edge_seconds = watch.lap();
+    report_progress(progress, "finding outlines", 0.0);
+    std::vector<Outline> outlines = finder.find(photo, field);
+    std::erase_if(outlines,
+                  [&](const Outline& o) { return equivalent_diameter(o) < options.min_size; });
+    result.outline_seconds = watch.lap();
+    report_progress(progress, "refining outlines", 0.0);
+    if (options.refine) {
+        RefinedRocks refined = refine_outlines(photo, field, std::move(outlines));
+        result.rocks.rocks = std::move(refined.rocks);
+        result.refinement = refined.report;
+    } else {
+        result.rocks.rocks = unrefined(std::move(outlines));
+    }
+    std::erase_if(result.rocks.rocks,
+                  [&](const Rock& r) { return equivalent_diameter(r.outline) < options.min_size; });
+    result.refine_seconds = watch.lap();
+    result.rocks.width = photo.width();
+    result.rocks.height = photo.height();
+    if (options.keep_stages)
+        keep_field(result, field);
+    return result;
+}
+
+RockExtraction extract_rocks(const Photo& photo, const ExtractionOptions& options,
+                             Progress* progress) {
+    check(options);
+    const Chain chain = make_chain(options);
+    RockExtraction result = extract_rocks(photo, *chain.detector, *chain.finder, options, progress);
+    if (options.keep_stages && options.method == Method::Thesis)
+        result.stages = thesis_stages(photo);
+    result.rocks.method = names_of(options.method)[static_cast<std::size_t>(options.method)];
+    return result;
+}
+
+}  // namespace scree::vision
