@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -25,15 +26,17 @@ std::array<glm::vec4, 6> planes_of(const glm::mat4& clip_from_world) {
 }
 
 SCREE_MULTIVERSION
-void drop_behind(const float* x, const float* y, const float* z, const float* radius, std::size_t n,
-                 const glm::vec4& plane, std::uint8_t* inside) {
-    const float a = plane.x;
-    const float b = plane.y;
-    const float c = plane.z;
-    const float d = plane.w;
-    for (std::size_t i = 0; i < n; ++i) {
-        const float distance = a * x[i] + b * y[i] + c * z[i] + d;
-        inside[i] = static_cast<std::uint8_t>(inside[i] & (distance >= -radius[i] ? 1 : 0));
+void drop_behind(const InstanceSpheres& spheres, const glm::vec4& plane,
+                 std::vector<std::uint8_t>& inside) {
+    const float* x = spheres.x.data();
+    const float* y = spheres.y.data();
+    const float* z = spheres.z.data();
+    const float* radius = spheres.radius.data();
+    std::uint8_t* out = inside.data();
+    const glm::vec4 p = plane;
+    for (std::size_t i = 0; i < inside.size(); ++i) {
+        const float distance = p.x * x[i] + p.y * y[i] + p.z * z[i] + p.w;
+        out[i] = static_cast<std::uint8_t>(out[i] & (distance >= -radius[i] ? 1 : 0));
     }
 }
 
@@ -65,8 +68,7 @@ std::vector<std::uint32_t> visible_instances(const InstanceSpheres& spheres,
     const std::size_t n = spheres.radius.size();
     std::vector<std::uint8_t> inside(n, 1);
     for (const glm::vec4& plane : planes_of(clip_from_world))
-        drop_behind(spheres.x.data(), spheres.y.data(), spheres.z.data(), spheres.radius.data(), n,
-                    plane, inside.data());
+        drop_behind(spheres, plane, inside);
     std::vector<std::uint32_t> visible;
     visible.reserve(static_cast<std::size_t>(std::count(inside.begin(), inside.end(), 1)));
     for (std::uint32_t i = 0; i < n; ++i)

@@ -118,13 +118,26 @@ Ring ring_at(int ring, int rings, double depth) {
     return {depth * std::sin(elevation), std::cos(elevation)};
 }
 
-// Corrected form of (3.12), see A.16; as printed for the literal reading.
-glm::dvec3 surface_normal(const glm::dvec3& p, double radius, double slope, double depth,
-                          Reading reading) {
-    const double bend = slope / radius;
-    if (reading == Reading::Literal)
+// One vertex, in pixels about the rock's centre.
+struct SurfacePoint {
+    glm::dvec3 position;
+    double radius;  // of the outline at its azimuth
+    double slope;   // derivative of the radius
+    bool pole;
+};
+
+// Unnormalised; the corrected form of (3.12), see A.16, or as printed for the literal reading.
+glm::dvec3 normal_at(const SurfacePoint& point, double depth, const RockMeshOptions& options) {
+    const glm::dvec3& p = point.position;
+    const double bend = point.slope / point.radius;
+    if (options.normals == NormalForm::Approximate)
+        return p;
+    if (options.reading == Reading::Literal)
         return {-depth * (p.x - bend * p.z), -bend * p.y, -depth * (p.z + bend * p.x)};
-    return {depth * (p.x + bend * p.z), radius * radius / depth * p.y, depth * (p.z - bend * p.x)};
+    if (point.pole)
+        return p;
+    return {depth * (p.x + bend * p.z), point.radius * point.radius / depth * p.y,
+            depth * (p.z - bend * p.x)};
 }
 
 // Normals transform by the inverse transpose of a diagonal matrix.
@@ -132,13 +145,6 @@ glm::vec3 world_normal(const glm::dvec3& normal, const glm::dvec3& scale) {
     const glm::dvec3 turned = normal / scale;
     const double length = glm::length(turned);
     return length > 0.0 ? glm::vec3(turned / length) : glm::vec3(0.0F, 1.0F, 0.0F);
-}
-
-glm::dvec3 normal_at(const glm::dvec3& p, bool pole, double radius, double slope, double depth,
-                     const RockMeshOptions& options) {
-    if (options.normals == NormalForm::Approximate || (pole && options.reading == Reading::Sound))
-        return p;
-    return surface_normal(p, radius, slope, depth, options.reading);
 }
 
 void fill_vertices(const Rock& rock, const Shape& shape, const RingGrid& grid, const Frame& frame,
@@ -158,12 +164,13 @@ void fill_vertices(const Rock& rock, const Shape& shape, const RingGrid& grid, c
         for (std::size_t column = 0; column < columns; ++column) {
             const std::size_t s = column % n_segments;
             const glm::dvec2 flat = ring.shrink * border[s];  // (3.5)
-            const glm::dvec3 p(flat.x, ring.height, flat.y);
-            mesh.positions.emplace_back(p * frame.scale);
+            const SurfacePoint point{{flat.x, ring.height, flat.y},
+                                     profile.radius[s],
+                                     profile.slope[s],
+                                     ring.shrink == 0.0};
+            mesh.positions.emplace_back(point.position * frame.scale);
             mesh.normals.push_back(
-                world_normal(normal_at(p, ring.shrink == 0.0, profile.radius[s], profile.slope[s],
-                                       shape.depth, frame.options),
-                             frame.scale));
+                world_normal(normal_at(point, shape.depth, frame.options), frame.scale));
             if (frame.options.texcoords)  // (3.11); glTF's v grows downwards as rows do
                 mesh.texcoords.emplace_back(glm::clamp((flat + rock.outline.centre) / frame.image,
                                                        glm::dvec2(0.0), glm::dvec2(1.0)));
