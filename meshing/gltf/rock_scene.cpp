@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <sstream>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -108,14 +109,17 @@ nlohmann::ordered_json level_summary(const std::vector<std::vector<LodLevel>>& c
             {"triangles", n_triangles}};
 }
 
-nlohmann::ordered_json chain_summary(const std::vector<LodLevel>& chain, const std::string& name) {
-    nlohmann::ordered_json errors = nlohmann::ordered_json::array();
-    nlohmann::ordered_json triangles = nlohmann::ordered_json::array();
-    for (const LodLevel& level : chain) {
-        errors.push_back(level.error);
-        triangles.push_back(level.mesh.triangles.size());
+// One line a rock, errors with the digits that mean something: the list stays small.
+void write_chain(std::ostream& out, const std::vector<LodLevel>& chain, const std::string& name) {
+    std::ostringstream triangles;
+    out << R"({"name":")" << name << R"(","error_m":[)";
+    for (std::size_t level = 0; level < chain.size(); ++level) {
+        char text[32];
+        std::snprintf(text, sizeof text, "%.3g", chain[level].error);
+        out << (level == 0 ? "" : ",") << text;
+        triangles << (level == 0 ? "" : ",") << chain[level].mesh.triangles.size();
     }
-    return {{"name", name}, {"error_m", errors}, {"triangles", triangles}};
+    out << R"(],"triangles":[)" << triangles.str() << "]}";
 }
 
 }  // namespace
@@ -172,14 +176,17 @@ std::string lods_json(const std::vector<RockMesh>& rocks,
     if (files.size() != deepest_level(chains))
         fail<InvalidInput>("levels of detail need one file each, got ", files.size(), " for ",
                            deepest_level(chains), " levels");
-    nlohmann::ordered_json document = {{"format", "scree-lods"}, {"version", 1}};
-    document["levels"] = nlohmann::ordered_json::array();
+    std::ostringstream out;
+    out << "{\n\"format\":\"scree-lods\",\n\"version\":1,\n\"levels\":[";
     for (std::size_t level = 0; level < files.size(); ++level)
-        document["levels"].push_back(level_summary(chains, level, files[level]));
-    document["rocks"] = nlohmann::ordered_json::array();
-    for (std::size_t i = 0; i < rocks.size(); ++i)
-        document["rocks"].push_back(chain_summary(chains[i], rock_name(rocks[i].source)));
-    return document.dump(1) + "\n";
+        out << (level == 0 ? "\n" : ",\n") << level_summary(chains, level, files[level]).dump();
+    out << "\n],\n\"rocks\":[";
+    for (std::size_t i = 0; i < rocks.size(); ++i) {
+        out << (i == 0 ? "\n" : ",\n");
+        write_chain(out, chains[i], rock_name(rocks[i].source));
+    }
+    out << "\n]\n}\n";
+    return out.str();
 }
 
 GltfScene patch_scene(const vision::RockSet& set, const std::vector<RockMesh>& rocks,

@@ -2,7 +2,9 @@
 #include "meshing/bake/height_bake.h"
 #include "meshing/bake/mesh_height_bake.h"
 #include "meshing/bake/normal_map.h"
+#include "meshing/gltf/gltf_write.h"
 #include "tests/support/sample_rocks.h"
+#include "tests/support/sample_scenes.h"
 
 #include <benchmark/benchmark.h>
 #include <glm/gtc/matrix_transform.hpp>
@@ -61,6 +63,33 @@ void occlusion(benchmark::State& state) {
     count_pixels(state);
 }
 
+// 900 rocks of 16 rings and 32 segments; the argument is whether they are quantised.
+void rocks_glb(benchmark::State& state) {
+    const auto set = gravel(900);
+    meshing::GltfScene scene;
+    for (const auto& rock : set.rocks) {
+        meshing::GltfNode node;
+        node.mesh = static_cast<int>(scene.meshes.size());
+        node.transform.translation = test::rock_place(rock, set);
+        scene.meshes.push_back({"rock", test::rock_surface(rock, set, 16, 32)});
+        scene.nodes.push_back(node);
+    }
+    scene.texture = test::sample_texture();
+    std::size_t n_bytes = 0;
+    for (auto _ : state)
+        n_bytes = meshing::encode_glb(scene, {.quantise = state.range(0) != 0}).size();
+    state.counters["bytes"] = static_cast<double>(n_bytes);
+}
+
+// 20 rocks of 2,562 vertices, 2,000 stones, with a texture.
+void patch_glb(benchmark::State& state) {
+    const meshing::GltfScene scene = test::patch_scene(20, 2000);
+    std::size_t n_bytes = 0;
+    for (auto _ : state)
+        n_bytes = meshing::encode_glb(scene, {.quantise = state.range(0) != 0}).size();
+    state.counters["bytes"] = static_cast<double>(n_bytes);
+}
+
 void sizes(benchmark::internal::Benchmark* b) {
     b->Arg(900)->Arg(2000)->Arg(4000)->Unit(benchmark::kMillisecond)->UseRealTime();
 }
@@ -69,5 +98,7 @@ BENCHMARK(displacement)->Apply(sizes);
 BENCHMARK(mesh_displacement)->Apply(sizes);
 BENCHMARK(normals)->Apply(sizes);
 BENCHMARK(occlusion)->Apply(sizes);
+BENCHMARK(rocks_glb)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(patch_glb)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace

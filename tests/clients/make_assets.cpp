@@ -1,10 +1,14 @@
 // Writes the GLB files that the scripts of this folder load, and what they must find in them:
 // expected.json, a mask of the pixels that stones cover from above, and the photograph's colours.
+// For the program itself it writes rocks and a photograph; what it makes of them is read as well.
 
 #include "base/whole_file.h"
+#include "meshing/bake/height_bake.h"
 #include "meshing/bake/mesh_height_bake.h"
 #include "meshing/gltf/gltf_write.h"
 #include "tests/support/sample_scenes.h"
+#include "vision/data/rocks_json.h"
+#include "vision/image_io.h"
 
 #include <exception>
 #include <filesystem>
@@ -52,6 +56,17 @@ std::string silhouettes(const meshing::GltfScene& scene, const meshing::MapFrame
     return bytes;
 }
 
+// Rocks of many sizes that all lie inside the picture.
+vision::RockSet program_rocks() {
+    vision::RockSet set = test::empty_picture(480, 360, 0.001);
+    set.method = "made up";
+    Rng rng({.seed = 8});
+    for (int i = 0; i < 48; ++i)
+        set.rocks.push_back(test::lobed_rock(rng, {30.0 + 60.0 * (i % 8), 30.0 + 60.0 * (i / 8)},
+                                             rng.uniform(5.0, 20.0)));
+    return set;
+}
+
 class Assets {
 public:
     explicit Assets(const fs::path& folder) : folder_(folder) {}
@@ -79,6 +94,23 @@ public:
                   << ", \"along\": " << frame.height * frame.metres_per_pixel << "}}";
     }
 
+    // Rocks for the program, which puts its files into the folder "program".
+    void add_program() {
+        const vision::RockSet set = program_rocks();
+        std::string mask;
+        for (const float h : meshing::bake_displacement(set).metres)
+            mask.push_back(h > 0.0F ? '\1' : '\0');
+        write_whole_file(folder_ / "program.mask", mask);
+        write_whole_file(folder_ / "program.json", vision::rocks_to_json(set));
+        vision::write_png(folder_ / "program.png", test::sample_photo());
+        const char* const view =
+            "\"view\": {\"width\": 480, \"height\": 360, \"across\": 0.48, "
+            "\"along\": 0.36}";
+        expected_ << ",\n\"program/rocks.glb\": {\"meshes\": " << set.rocks.size()
+                  << ", \"instances\": 0, \"mask\": \"program.mask\", \"photo\": \"photo.rgb\", "
+                  << view << "},\n\"program/patch.glb\": {\"instances\": 2000, " << view << "}";
+    }
+
     void finish() const {
         const Photo photo = test::sample_photo();
         write_whole_file(folder_ / "photo.rgb",
@@ -103,6 +135,7 @@ void make_all(const fs::path& folder) {
     const meshing::GltfScene small = test::patch_scene(5, 200);
     assets.add("patch-float.glb", small, square, {});
     assets.add("patch-nodes.glb", small, square, {.quantise = true, .instancing = false});
+    assets.add_program();
     assets.finish();
     fs::create_directories(folder / "lods");
     for (const int level : {0, 1, 2})

@@ -17,7 +17,7 @@ const scratch = fs.mkdtempSync(path.join(os.tmpdir(), 'scree-pack-'));
 for (const [name, expected] of Object.entries(readExpected(folder))) {
     if (expected.instances === 0)
         continue;
-    const output = path.join(scratch, name);
+    const output = path.join(scratch, name.replaceAll('/', '-'));
     const run = spawnSync(process.execPath,
         [program, '-i', path.join(folder, name), '-o', output, '-mi'],
         {encoding: 'utf8', timeout: 60000});
