@@ -6,6 +6,13 @@ namespace scree::apps {
 
 std::span<const Command> commands() {
     static const std::vector<Command> table = {
+        {{"rocks", "find the rocks of photographs; write outlines, meshes, maps and figures",
+          "scree rocks gravel.jpg -o out --width-m 0.8",
+          "One photograph: the files lie in DIR. Several: one folder each, named after the "
+          "photograph; a bad one does not stop the others and the exit status is 1. Without "
+          "--width-m the scale is taken from the photograph's metadata; where that has none, a "
+          "pixel counts as a millimetre and sizes are given in pixels."},
+         run_rocks},
         {{"mesh", "build the meshes and maps again from a file of rocks, perhaps edited",
           "scree mesh out/rocks.json -o out2 --photo gravel.jpg", ""},
          run_mesh},

@@ -163,15 +163,19 @@ Surface surface_at(const Studio& studio, std::uint32_t triangle, const glm::vec2
     const glm::vec2 ac(c - a);
     const glm::vec2 ap = sample - glm::vec2(a);
     const float area = ab.x * ac.y - ab.y * ac.x;
-    const float v = std::clamp((ap.x * ac.y - ap.y * ac.x) / area, 0.0F, 1.0F);
-    const float w = std::clamp((ab.x * ap.y - ab.y * ap.x) / area, 0.0F, 1.0F - v);
+    const float part = std::abs(area) > 1e-12F ? 1.0F / area : 0.0F;  // 0: a sliver's first corner
+    const float v = std::clamp((ap.x * ac.y - ap.y * ac.x) * part, 0.0F, 1.0F);
+    const float w = std::clamp((ab.x * ap.y - ab.y * ap.x) * part, 0.0F, 1.0F - v);
     glm::vec3 share((1.0F - v - w) * a.z, v * b.z, w * c.z);
     share /= share.x + share.y + share.z;
     const World& world = studio.world;
     const auto mixed = [&](const auto& values) {
         return values[t.x] * share.x + values[t.y] * share.y + values[t.z] * share.z;
     };
-    return {mixed(world.positions), glm::normalize(mixed(world.normals)), mixed(world.texcoords)};
+    const glm::vec3 normal = mixed(world.normals);
+    const float length = glm::length(normal);  // 0 where opposite normals meet
+    return {mixed(world.positions), length > 0.0F ? normal / length : glm::vec3(0, 1, 0),
+            mixed(world.texcoords)};
 }
 
 Shades shade(const Studio& studio, std::uint32_t triangle, const glm::vec2& sample) {

@@ -76,7 +76,8 @@ std::uint8_t coded_byte(float light) {
         }
         return values;
     }();
-    return table[static_cast<std::size_t>(std::clamp(light, 0.0F, 1.0F) * 4096.0F + 0.5F)];
+    return table[static_cast<std::size_t>((light > 0.0F ? std::min(light, 1.0F) : 0.0F) * 4096.0F +
+                                          0.5F)];
 }
 
 }  // namespace scree::meshing

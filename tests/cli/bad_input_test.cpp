@@ -147,7 +147,7 @@ TEST_F(BadInput, AnOutputThatCannotBeWrittenIsSaidAtOnce) {
 TEST_F(BadInput, AFullDiskLeavesNothing) {
     test::write_test_photo(at("photo.png"), 240, 160);
     for (const long bytes : {0L, 2000L, 30000L}) {
-        const ProgramRun run = rocks(at("photo.png"), {.largest_file = bytes});
+        const ProgramRun run = rocks(at("photo.png"), {.folder = {}, .largest_file = bytes});
         EXPECT_EQ(run.status, 1) << bytes;
         EXPECT_THAT(run.errors, HasSubstr("cannot write")) << bytes;
         EXPECT_THAT(run.errors, testing::Not(HasSubstr(".scree-"))) << bytes;
@@ -161,7 +161,7 @@ TEST_F(BadInput, AFullDiskLeavesNothing) {
 TEST_F(BadInput, CtrlCLeavesNothingHalfWritten) {
     test::write_test_photo(at("photo.png"), 900, 600);
     for (const int delay : {150, 400, 700, 1000}) {
-        const ProgramRun run = rocks(at("photo.png"), {.interrupt_after_ms = delay});
+        const ProgramRun run = rocks(at("photo.png"), {.folder = {}, .interrupt_after_ms = delay});
         for (const auto& [name, bytes] : files_below(at("out")))
             EXPECT_THAT(name, testing::Not(HasSubstr(".scree-"))) << delay;
         if (run.status == 0) {  // it was faster

@@ -118,6 +118,7 @@ void write_in_form(const std::filesystem::path& path, const Photo& photo, Form f
         spec["tiff:ColorSpace"] = "CMYK";
         spec["tiff:PhotometricInterpretation"] = 5;
     }
+    spec["oiio:UnassociatedAlpha"] = 1;  // colours are written as they are
     auto output = OIIO::ImageOutput::create(path.string());
     require(output != nullptr, path);
     const std::vector<std::uint8_t> values = channels_of(photo, form, n_channels);

@@ -93,11 +93,19 @@ TEST(RasterView, GivesTheSamePictureForAnyThreadCount) {
 }
 
 TEST(RasterView, FramesLongAndFlatScenes) {
-    for (const glm::vec2 size : {glm::vec2(1, 1e-4F), {1e-4F, 1}, {1e-6F, 1e-6F}, {10, 0.001F}}) {
-        const ViewPictures view = draw_view({.objects = {}, .ground_size = size}, {.width = 80});
-        EXPECT_GE(view.clay.height(), 8);
-        EXPECT_LE(view.clay.height(), 121);
-    }
+    const Photo photo(3, 3, {90, 120, 60});
+    for (const glm::vec2 size : {glm::vec2(1, 1e-4F),
+                                 {1e-4F, 1},
+                                 {1e-6F, 1e-6F},
+                                 {10, 0.001F},
+                                 {0.001F, 10},
+                                 {1e6F, 1e-3F}})
+        for (const int width : {80, 600}) {
+            const ViewPictures view =
+                draw_view({.objects = {}, .photo = &photo, .ground_size = size}, {.width = width});
+            EXPECT_GE(view.clay.height(), 8);
+            EXPECT_LE(view.clay.height(), width * 3 / 2 + 1);
+        }
 }
 
 TEST(RasterView, PutsPicturesBesideEachOther) {
