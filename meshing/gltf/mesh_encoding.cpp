@@ -15,13 +15,6 @@ namespace {
 constexpr std::size_t kMostShortVertices = 65535;  // 65535 itself restarts primitives
 
 template <class T>
-void append(std::vector<std::uint8_t>& bytes, const T& value) {
-    const std::size_t at = bytes.size();
-    bytes.resize(at + sizeof(T));
-    std::memcpy(bytes.data() + at, &value, sizeof(T));
-}
-
-template <class T>
 std::vector<std::uint8_t> bytes_of(const std::vector<T>& values) {
     std::vector<std::uint8_t> bytes(values.size() * sizeof(T));
     if (!values.empty())
@@ -43,31 +36,33 @@ void encode_positions(const TriMesh& mesh, bool quantise, EncodedMesh& out) {
         reach = std::max({reach, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
     if (quantise && reach > 0.0F)
         out.scale = reach;
-    for (const glm::vec3& p : mesh.positions) {
-        glm::dvec3 stored(p);
+    std::vector<std::int16_t> coded(quantise ? 4 * mesh.positions.size() : 0);  // the fourth pads
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        glm::dvec3 stored(mesh.positions[i]);
         if (quantise) {
             stored = glm::round(stored * (32767.0 / out.scale));
-            for (const double v : {stored.x, stored.y, stored.z, 0.0})  // the last one pads
-                append(out.positions, static_cast<std::int16_t>(v));
+            for (int c = 0; c < 3; ++c)
+                coded[4 * i + static_cast<std::size_t>(c)] = static_cast<std::int16_t>(stored[c]);
         }
         out.low = glm::min(out.low, stored);
         out.high = glm::max(out.high, stored);
     }
-    if (!quantise)
-        out.positions = bytes_of(mesh.positions);
+    out.positions = quantise ? bytes_of(coded) : bytes_of(mesh.positions);
 }
 
 void encode_normals(const TriMesh& mesh, bool quantise, EncodedMesh& out) {
-    for (const glm::vec3& normal : mesh.normals) {
-        const glm::vec3 n = unit(normal);
-        for (const float v : {n.x, n.y, n.z})
-            if (quantise)
-                append(out.normals, static_cast<std::int8_t>(std::lround(127.0F * v)));
-            else
-                append(out.normals, v);
-        if (quantise)
-            append(out.normals, std::int8_t{0});
+    std::vector<glm::vec3> normals(mesh.normals.size());
+    std::transform(mesh.normals.begin(), mesh.normals.end(), normals.begin(), unit);
+    if (!quantise) {
+        out.normals = bytes_of(normals);
+        return;
     }
+    std::vector<std::int8_t> coded(4 * normals.size());  // the fourth pads
+    for (std::size_t i = 0; i < normals.size(); ++i)
+        for (int c = 0; c < 3; ++c)
+            coded[4 * i + static_cast<std::size_t>(c)] =
+                static_cast<std::int8_t>(std::lround(127.0F * normals[i][c]));
+    out.normals = bytes_of(coded);
 }
 
 void encode_texcoords(const TriMesh& mesh, bool quantise, EncodedMesh& out) {
@@ -79,19 +74,26 @@ void encode_texcoords(const TriMesh& mesh, bool quantise, EncodedMesh& out) {
         out.texcoords = bytes_of(mesh.texcoords);
         return;
     }
+    std::vector<std::uint16_t> coded;
+    coded.reserve(2 * mesh.texcoords.size());
     for (const glm::vec2& t : mesh.texcoords)
         for (const float v : {t.x, t.y})
-            append(out.texcoords, static_cast<std::uint16_t>(std::lround(65535.0F * v)));
+            coded.push_back(static_cast<std::uint16_t>(std::lround(65535.0F * v)));
+    out.texcoords = bytes_of(coded);
 }
 
 void encode_indices(const TriMesh& mesh, EncodedMesh& out) {
     out.wide_indices = mesh.positions.size() > kMostShortVertices;
+    if (out.wide_indices) {
+        out.indices = bytes_of(mesh.triangles);
+        return;
+    }
+    std::vector<std::uint16_t> coded;
+    coded.reserve(3 * mesh.triangles.size());
     for (const glm::uvec3& t : mesh.triangles)
         for (const std::uint32_t v : {t.x, t.y, t.z})
-            if (out.wide_indices)
-                append(out.indices, v);
-            else
-                append(out.indices, static_cast<std::uint16_t>(v));
+            coded.push_back(static_cast<std::uint16_t>(v));
+    out.indices = bytes_of(coded);
 }
 
 }  // namespace
