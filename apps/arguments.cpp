@@ -17,6 +17,9 @@ constexpr std::size_t kLine = 96;
 std::string shortest(double value) {
     std::string text;
     append_number(text, value);
+    const auto exponent = text.find("e+0");  // 1e6 reads better than 1e+06
+    if (exponent != std::string::npos)
+        text.erase(exponent + 1, 2);
     return text;
 }
 
@@ -42,11 +45,11 @@ std::string range_text(const FieldInfo& info) {
 }
 
 std::string number_help(const FieldInfo& info, const std::string& now) {
-    std::string text(info.help);
+    std::string range = range_text(info);
     if (!info.unit.empty())
-        text += ", " + std::string(info.unit);
-    const std::string range = range_text(info);
-    return text + " (" + (range.empty() ? "" : range + "; ") + "default " + now + ")";
+        range += (range.empty() ? "" : " ") + std::string(info.unit);
+    return std::string(info.help) + " (" + (range.empty() ? "" : range + "; ") + "default " + now +
+           ")";
 }
 
 void check_number(std::string_view name, double value, const FieldInfo& info) {
