@@ -147,6 +147,39 @@ PictureHeader webp_header(Bytes& bytes) {
     return header;
 }
 
+// Position behind the text that starts here and ends with a zero.
+std::uint64_t after_text(Bytes& bytes, std::uint64_t at) {
+    return bytes.find(0, at) + 1;
+}
+
+// Walk the attributes: the reader takes as much memory as each says it has.
+PictureHeader exr_header(Bytes& bytes, const fs::path& path) {
+    PictureHeader header{"openexr", 0.0, 0.0, 0};
+    const bool parts = (bytes.little(4, 4) & 0x1000U) != 0;
+    std::uint64_t at = 8;
+    for (bool more = true; more; more = parts && bytes.at(at) != 0) {
+        while (bytes.at(at) != 0) {
+            const std::uint64_t type = after_text(bytes, at);
+            const std::uint64_t size = after_text(bytes, type);
+            const std::uint64_t data = size + 4;
+            const std::uint64_t length = bytes.little(size, 4);
+            if (data + length >= bytes.size())
+                refuse_cut(path);
+            if (bytes.has(at, "dataWindow\0box2i\0"sv) && length == 16) {
+                const auto corner = [&](unsigned i) {
+                    return static_cast<double>(
+                        static_cast<std::int32_t>(bytes.little(data + std::uint64_t{4} * i, 4)));
+                };
+                header.width = std::max(header.width, corner(2) - corner(0) + 1.0);
+                header.height = std::max(header.height, corner(3) - corner(1) + 1.0);
+            }
+            at = data + length;
+        }
+        ++at;
+    }
+    return header;
+}
+
 double magnitude(unsigned bits) {  // of a 32-bit number in two's complement
     return static_cast<double>(bits < 0x80000000U ? bits : 0U - bits);
 }
@@ -193,7 +226,7 @@ PictureHeader header_of(Bytes& bytes, const fs::path& path) {
     if (is_tiff(bytes))
         return {"tiff", 0.0, 0.0, 0};
     if (bytes.has(0, "\x76\x2F\x31\x01"))
-        return {"openexr", 0.0, 0.0, 0};
+        return exr_header(bytes, path);
     if (is_pnm(bytes))
         return {"pnm", 0.0, 0.0, 0};
     if (lower_extension(path) == ".tga")  // has no mark of its own

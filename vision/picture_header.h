@@ -14,7 +14,8 @@ struct PictureHeader {
 };
 
 /// Find the format by its first bytes and the size it declares; make sure that PNG and JPEG files
-/// go on to their end mark, for a decoder would fill a cut JPEG with grey and say nothing.
+/// go on to their end mark, for a decoder would fill a cut JPEG with grey and say nothing, and that
+/// the attributes of an OpenEXR file are no longer than the file.
 /// @throw IoError  the file is missing, a folder, no regular file, empty, cut off or of none of the
 ///                 formats PNG, JPEG, TIFF, OpenEXR, BMP, PNM, GIF, WebP and TGA.
 PictureHeader read_picture_header(const std::filesystem::path& path);

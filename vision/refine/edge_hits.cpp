@@ -13,6 +13,7 @@ constexpr int kMostSamples = 801;     // window of at most 200 px
 constexpr double kSide = 1.5;         // px from an edge to where its two sides are compared
 constexpr double kInsideShare = 0.5;  // worth of a full drop of `inside` against a full edge
 constexpr double kPreference = 0.35;  // worth lost at the end of the window
+constexpr double kClear = 5.0;        // weight of a hit for each unit it stands above the profile
 
 struct Profile {
     std::array<double, kMostSamples> worth{};
@@ -59,7 +60,7 @@ void find_hit(const EdgeMaps& maps, glm::dvec2 centre, double window, EdgeHit& h
         place +=
             kStep * vertex(profile.worth[best - 1], profile.worth[best], profile.worth[best + 1]);
     hit.point = centre + place * hit.direction;
-    hit.weight = peak ? std::clamp(2.5 * clear, 0.0, 1.0) : 0.0;
+    hit.weight = peak ? std::clamp(kClear * clear, 0.0, 1.0) : 0.0;
 }
 
 }  // namespace

@@ -10,11 +10,11 @@
 namespace scree::vision {
 
 struct RefineOptions {
-    double window = 0.25;       ///< Reach of the search for edges, share of the mean radius...
+    double window = 0.3;        ///< Reach of the search for edges, share of the mean radius...
     double least_window = 2.0;  ///< ...but at least this, pixels...
-    double most_window = 7.0;   ///< ...and at most this, pixels.
+    double most_window = 10.0;  ///< ...and at most this, pixels.
     double hit_error = 1.2;     ///< Standard deviation of a clear edge hit, pixels.
-    double attraction = 0.7;    ///< Pull of the edge field, relative to that of the hits.
+    double attraction = 2.0;    ///< Pull of the edge field, relative to that of the hits.
     double roughness = 1.0;     ///< Deviation from an ellipse that is expected, 1 for rocks.
     int passes = 2;             ///< Searches for edges, each with half the window of the last.
 };

@@ -55,7 +55,7 @@ RadiusSlope radius_slope(const Shape& shape, const double* basis) {
 }
 
 int harmonics_for(double radius_px) {
-    return std::clamp(static_cast<int>(std::lround(2.0 + 0.22 * radius_px)), 3, kMostHarmonics);
+    return std::clamp(static_cast<int>(std::lround(2.0 + 0.35 * radius_px)), 3, kMostHarmonics);
 }
 
 Shape shape_of(const Outline& outline, int n_harmonics) {
