@@ -200,7 +200,12 @@ RockPatch patch_of(const std::vector<RockMesh>& rocks, std::vector<std::size_t> 
     return patch;
 }
 
-// Rocks at evenly spread ranks of size, so that prototypes stand for the whole distribution.
+double fullness(const RockMesh& rock) {
+    return static_cast<double>(rock.inscribed_radius / rock.bounding_radius);
+}
+
+// One rock for each of n equal ranges of the ranks of size, so that prototypes stand for the whole
+// distribution; in its range each is fuller than three in four, for slivers are often mistakes.
 std::vector<std::size_t> pick_prototypes(const std::vector<RockMesh>& rocks, int count) {
     std::vector<std::size_t> order(rocks.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -209,8 +214,16 @@ std::vector<std::size_t> pick_prototypes(const std::vector<RockMesh>& rocks, int
     });
     const std::size_t n = std::min(rocks.size(), static_cast<std::size_t>(count));
     std::vector<std::size_t> picked;
-    for (std::size_t k = 0; k < n; ++k)
-        picked.push_back(order[(2 * k + 1) * order.size() / (2 * n)]);
+    for (std::size_t k = 0; k < n; ++k) {
+        const std::size_t first = k * order.size() / n;
+        const std::size_t last = (k + 1) * order.size() / n;
+        std::vector<std::size_t> range(order.begin() + static_cast<std::ptrdiff_t>(first),
+                                       order.begin() + static_cast<std::ptrdiff_t>(last));
+        std::stable_sort(range.begin(), range.end(), [&](std::size_t a, std::size_t b) {
+            return fullness(rocks[a]) < fullness(rocks[b]);
+        });
+        picked.push_back(range[range.size() * 3 / 4]);
+    }
     return picked;  // ordered by falling size
 }
 

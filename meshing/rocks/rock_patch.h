@@ -40,8 +40,8 @@ struct RockPatch {
 struct PatchOptions {
     double width = 0.0;     ///< Along x, m; 0 takes the depth.
     double depth = 0.0;     ///< Along z, m; 0 takes the width, both 0 what the stones need.
-    int tries = 30;         ///< Places tried for a stone each time.
-    int sweeps = 12;        ///< Rounds of moving stones into voids.
+    int tries = 100;        ///< Places tried for a stone each time.
+    int sweeps = 8;         ///< Rounds of moving stones into voids.
     double step = 0.5;      ///< Share of a void that a stone moves into in a sweep.
     bool turn = true;       ///< Turn each stone about the vertical at random.
     int prototypes = 20;    ///< Meshes that scatter_rocks() picks from the rock set.
