@@ -191,6 +191,70 @@ void grow_rocks(const SyntheticOptions& o, const std::vector<Radii>& shapes,
         }
 }
 
+// Centres of a honeycomb as wide as the median diameter, shaken.
+std::vector<glm::dvec2> honeycomb(const SyntheticOptions& o) {
+    const double step = o.median_diameter + o.gap;
+    const double row_step = step * std::sqrt(0.75);
+    std::vector<glm::dvec2> centres;
+    for (int j = -1; j * row_step < o.height + row_step; ++j)
+        for (int i = -1; i * step < o.width + step; ++i) {
+            const auto cell = static_cast<std::uint64_t>((j + 1) * 100000 + i + 1);
+            Rng rng({.seed = o.seed, .stream = kPlaceStream, .cell = cell});
+            const glm::dvec2 shake{rng.uniform(-0.18, 0.18), rng.uniform(-0.18, 0.18)};
+            centres.push_back(glm::dvec2((i + 0.5 * (j & 1)) * step, j * row_step) + shake * step);
+        }
+    return centres;
+}
+
+// The cell of a centre, drawn back by half the gap. A power mean of the distances to its sides is
+// never above the least of them and rounds the corners.
+vision::Outline cell_outline(const std::vector<glm::dvec2>& centres, std::size_t self,
+                             const SyntheticOptions& o) {
+    constexpr double kPower = 10.0;
+    vision::Outline outline;
+    outline.centre = centres[self];
+    outline.confidence = 1.0F;
+    for (std::size_t k = 0; k < outline.radii.size(); ++k) {
+        const double azimuth = std::numbers::pi / 180.0 * static_cast<double>(k);
+        double sum = 0.0;
+        for (std::size_t j = 0; j < centres.size(); ++j) {
+            const glm::dvec2 way = centres[j] - centres[self];
+            const double distance = std::hypot(way.x, way.y);
+            if (j == self || distance > 2.5 * (o.median_diameter + o.gap))
+                continue;
+            const double along = (way.x * std::cos(azimuth) + way.y * std::sin(azimuth)) / distance;
+            const double side = 0.5 * (distance - o.gap) / std::max(1e-3, along);
+            sum += along > 0.0 ? std::pow(side, -kPower) : 0.0;
+        }
+        outline.radii[k] = static_cast<float>(std::pow(sum, -1.0 / kPower));
+    }
+    return outline;
+}
+
+std::vector<Placed> fill_cells(const SyntheticOptions& o) {
+    const auto centres = honeycomb(o);
+    std::vector<Placed> placed;
+    for (std::size_t i = 0; i < centres.size(); ++i) {
+        const glm::dvec2 c = centres[i];
+        if (c.x < 0.0 || c.y < 0.0 || c.x > o.width || c.y > o.height)
+            continue;
+        const auto outline = cell_outline(centres, i, o);
+        if (static_cast<int>(placed.size()) < o.n_rocks && (!o.whole_rocks || is_whole(outline, o)))
+            placed.push_back({outline, 0, 0.0});
+    }
+    return placed;
+}
+
+std::vector<Placed> lay_by_darts(const SyntheticOptions& o) {
+    const std::vector<double> diameters = draw_diameters(o);
+    std::vector<Radii> shapes;
+    for (std::size_t rock = 0; rock < diameters.size(); ++rock)
+        shapes.push_back(lobed_shape(o, rock));
+    std::vector<Placed> rocks = throw_darts(o, shapes, diameters);
+    grow_rocks(o, shapes, rocks);
+    return rocks;
+}
+
 void check_diameters(const SyntheticOptions& o) {
     if (o.least_diameter > o.median_diameter || o.median_diameter > o.greatest_diameter)
         fail<InvalidOption>("median-diameter is ", o.median_diameter, ", must be in [",
@@ -204,13 +268,8 @@ SyntheticPhoto make_synthetic_photo(const SyntheticOptions& options) {
     check(options);
     check_diameters(options);
 
-    const std::vector<double> diameters = draw_diameters(options);
-    std::vector<Radii> shapes;
-    for (std::size_t rock = 0; rock < diameters.size(); ++rock)
-        shapes.push_back(lobed_shape(options, rock));
-    std::vector<Placed> rocks = throw_darts(options, shapes, diameters);
-    grow_rocks(options, shapes, rocks);
-
+    std::vector<Placed> rocks =
+        options.layout == Layout::Cells ? fill_cells(options) : lay_by_darts(options);
     SyntheticPhoto result;
     for (Placed& rock : rocks) {
         rock.outline.touches_border = !is_whole(rock.outline, options);

@@ -5,14 +5,27 @@
 #include "vision/outline.h"
 
 #include <cstdint>
+#include <span>
+#include <string_view>
 #include <vector>
 
 namespace scree::test {
 
+/// How the rocks lie.
+enum class Layout {
+    Darts,  ///< Thrown at random: every size, wide gaps where nothing fits.
+    Cells,  ///< One to each cell of a jittered honeycomb: tightly packed, crevices of even width.
+};
+inline constexpr std::string_view kLayoutNames[] = {"darts", "cells"};
+constexpr std::span<const std::string_view> names_of(Layout) {
+    return kLayoutNames;
+}
+
 /// What the made-up photograph shows. Lengths are pixels, strengths 0 (off) to 1 (strong).
 struct SyntheticOptions {
-    int width = 900;                 ///< Of the picture.
-    int height = 600;                ///< Of the picture.
+    int width = 900;   ///< Of the picture.
+    int height = 600;  ///< Of the picture.
+    Layout layout = Layout::Darts;
     int n_rocks = 400;               ///< Most rocks to lay; fewer if no room is left.
     double least_diameter = 12;      ///< No rock is smaller before it grows to its neighbours.
     double median_diameter = 40;     ///< Of the log-normal law that diameters are drawn from.
@@ -30,6 +43,7 @@ struct SyntheticOptions {
     double speckle = 0.0;            ///< Contrast of sharp mineral specks.
     double wetness = 0.0;            ///< Darkened rocks with highlights.
     double matrix = 0.0;             ///< 0: dark deep gaps; 1: gaps full of light sand.
+    double grain = 1.0;              ///< Roughness of the ground between rocks.
     double blur = 0.7;               ///< Standard deviation of the lens, px.
     double noise = 0.01;             ///< Standard deviation of the sensor, of full scale.
     double contrast = 1.0;           ///< About middle grey; 1 leaves it.
@@ -42,6 +56,7 @@ void describe(SyntheticOptions& o, Visitor&& field) {
     constexpr FieldInfo kShare{.min = 0, .max = 1};
     field("width", o.width, {.min = 1, .max = 8192, .unit = "px"});
     field("height", o.height, {.min = 1, .max = 8192, .unit = "px"});
+    field("layout", o.layout, {});
     field("n-rocks", o.n_rocks, {.min = 0, .max = 60000});
     field("least-diameter", o.least_diameter, {.min = 4, .max = 2000, .unit = "px"});
     field("median-diameter", o.median_diameter, {.min = 4, .max = 2000, .unit = "px"});
@@ -59,6 +74,7 @@ void describe(SyntheticOptions& o, Visitor&& field) {
     field("speckle", o.speckle, kShare);
     field("wetness", o.wetness, kShare);
     field("matrix", o.matrix, kShare);
+    field("grain", o.grain, kShare);
     field("blur", o.blur, {.min = 0, .max = 20, .unit = "px"});
     field("noise", o.noise, {.min = 0, .max = 0.5});
     field("contrast", o.contrast, {.min = 0, .max = 4});
@@ -68,7 +84,7 @@ void describe(SyntheticOptions& o, Visitor&& field) {
 struct SyntheticPhoto {
     Photo photo;
     LabelMap labels;                        ///< paint_labels() of the outlines.
-    std::vector<vision::Outline> outlines;  ///< Confidence 1; largest first; none overlap.
+    std::vector<vision::Outline> outlines;  ///< Confidence 1; none overlap.
 };
 
 /// Lay star-shaped lobed rocks by dart throwing, largest first, and photograph them from above.

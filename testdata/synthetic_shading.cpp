@@ -82,7 +82,7 @@ FloatRaster height_map(const std::vector<vision::Outline>& outlines, const Label
             const std::size_t label = labels(x, y);
             const double grain = lattice(o.seed + 5, x, y);
             if (label == 0) {
-                height(x, y) = static_cast<float>(o.matrix * (2.0 + 0.8 * grain));
+                height(x, y) = static_cast<float>(o.matrix * (2.0 + 0.8 * o.grain * grain));
                 continue;
             }
             const auto& outline = outlines[label - 1];
@@ -137,7 +137,7 @@ struct Scene {
 glm::dvec3 surface_colour(const Scene& scene, glm::ivec2 p, const SyntheticOptions& o) {
     const std::size_t label = scene.labels(p.x, p.y);
     if (label == 0) {
-        const double grain = 0.75 + 0.5 * lattice(o.seed + 6, p.x, p.y);
+        const double grain = 1.0 + 0.5 * o.grain * (lattice(o.seed + 6, p.x, p.y) - 0.5);
         const double grey = (0.05 + 0.30 * o.matrix) * grain;
         return glm::dvec3(1.05, 1.0, 0.85) * grey;
     }

@@ -89,6 +89,21 @@ TEST(SyntheticPhoto, GapsAreDarkUnlessFilledWithSand) {
     EXPECT_EQ(sand.labels, gravel.labels) << "looks must not move rocks";
 }
 
+TEST(SyntheticPhoto, CellsLeaveOnlyCrevices) {
+    SyntheticOptions options = small(5);
+    options.layout = Layout::Cells;
+    options.gap = 4;
+    const auto made = make_synthetic_photo(options);
+    EXPECT_GT(made.outlines.size(), 25U);
+    const auto covered = std::count_if(made.labels.begin(), made.labels.end(),
+                                       [](std::uint16_t label) { return label != 0; });
+    EXPECT_GT(static_cast<double>(covered), 0.65 * static_cast<double>(made.labels.size()));
+    for (int y = 0; y < 220; ++y)
+        for (int x = 0; x + 2 < 300; ++x)
+            ASSERT_FALSE(made.labels(x, y) != 0 && made.labels(x + 2, y) != 0 &&
+                         made.labels(x, y) != made.labels(x + 2, y));
+}
+
 TEST(SyntheticPhoto, NoRocksGiveBareGround) {
     const auto bare = make_synthetic_photo({.width = 40, .height = 30, .n_rocks = 0});
     EXPECT_TRUE(bare.outlines.empty());

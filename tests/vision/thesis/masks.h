@@ -87,12 +87,12 @@ inline MaskQuality mask_quality(const Mask& edges, const LabelMap& labels) {
     return {n_border > 0.0 ? n_hit / n_border : 0.0, n_deep > 0.0 ? n_wrong / n_deep : 0.0};
 }
 
-/// A picture suited to the method: rounded rocks, wide dark gaps, little texture, half size.
+/// Rounded rocks in dark gaps, little texture: a mask is easily made of it.
 inline SyntheticOptions suited_picture(std::uint64_t seed) {
     SyntheticOptions o;
-    o.width = 450;
-    o.height = 330;
-    o.n_rocks = 60;
+    o.width = 320;
+    o.height = 240;
+    o.n_rocks = 40;
     o.least_diameter = 25;
     o.median_diameter = 42;
     o.greatest_diameter = 80;
@@ -103,6 +103,18 @@ inline SyntheticOptions suited_picture(std::uint64_t seed) {
     o.colour = 0.2;
     o.light_elevation = 80;
     o.seed = seed;
+    return o;
+}
+
+/// A picture suited to the whole method: packed rocks, dark crevices, nothing else between them.
+inline SyntheticOptions packed_picture(std::uint64_t seed) {
+    SyntheticOptions o = suited_picture(seed);
+    o.layout = Layout::Cells;
+    o.n_rocks = 400;
+    o.median_diameter = 30;
+    o.gap = 3;
+    o.grain = 0;
+    o.noise = 0.004;
     return o;
 }
 
