@@ -3,7 +3,7 @@
 #include "meshing/bake/mesh_height_bake.h"
 #include "meshing/bake/normal_map.h"
 #include "meshing/gltf/gltf_write.h"
-#include "tests/support/sample_rocks.h"
+#include "tests/support/placed_rocks.h"
 #include "tests/support/sample_scenes.h"
 
 #include <benchmark/benchmark.h>

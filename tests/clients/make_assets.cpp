@@ -62,8 +62,8 @@ vision::RockSet program_rocks() {
     set.method = "made up";
     Rng rng({.seed = 8});
     for (int i = 0; i < 48; ++i)
-        set.rocks.push_back(test::lobed_rock(rng, {30.0 + 60.0 * (i % 8), 30.0 + 60.0 * (i / 8)},
-                                             rng.uniform(5.0, 20.0)));
+        set.rocks.push_back(test::lobed_rock({30.0 + 60.0 * (i % 8), 30.0 + 60.0 * (i / 8)},
+                                             rng.uniform(5.0, 20.0), rng.bits()));
     return set;
 }
 

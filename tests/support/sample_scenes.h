@@ -1,7 +1,7 @@
 #pragma once
 
 #include "meshing/gltf/gltf_scene.h"
-#include "tests/support/sample_rocks.h"
+#include "tests/support/placed_rocks.h"
 #include "vision/image_io.h"
 
 #include <cmath>
@@ -88,7 +88,7 @@ inline meshing::GltfScene rocks_scene(int rings, int segments) {
     Rng rng({.seed = 5});
     for (int i = 0; i < 48; ++i) {
         const glm::dvec2 centre(30.0 + 60.0 * (i % 8), 30.0 + 60.0 * (i / 8));
-        set.rocks.push_back(lobed_rock(rng, centre, rng.uniform(10.0, 20.0)));
+        set.rocks.push_back(lobed_rock(centre, rng.uniform(10.0, 20.0), rng.bits()));
         const auto& rock = set.rocks.back();
         scene.meshes.push_back(
             {"rock-" + std::to_string(i), rock_surface(rock, set, rings, segments)});

@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "tests/support/sample_rocks.h"
+#include "tests/support/placed_rocks.h"
 
 #include <cmath>
 #include <limits>
@@ -68,8 +68,7 @@ TEST(HeightBakeShape, UnknownScaleTakesTheAssumedOne) {
 TEST(HeightBakeShape, NoRockIsFlatGroundAndFarRocksLeaveNoTrace) {
     vision::RockSet set = test::empty_picture(5, 3, 0.01);
     EXPECT_EQ(bake_displacement(set).metres, FloatRaster(5, 3));
-    Rng rng({.seed = 2});
-    set.rocks.push_back(test::lobed_rock(rng, {-500.0, 9000.0}, 20.0));
+    set.rocks.push_back(test::lobed_rock({-500.0, 9000.0}, 20.0, 2));
     EXPECT_EQ(bake_displacement(set).metres, FloatRaster(5, 3));
 }
 

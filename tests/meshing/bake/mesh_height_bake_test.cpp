@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "meshing/bake/height_bake.h"
-#include "tests/support/sample_rocks.h"
+#include "tests/support/placed_rocks.h"
 
 #include <cmath>
 #include <limits>

@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "meshing/bake/height_bake.h"
-#include "tests/support/sample_rocks.h"
+#include "tests/support/placed_rocks.h"
 
 #include <cmath>
 

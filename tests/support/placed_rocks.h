@@ -2,6 +2,7 @@
 
 #include "base/random.h"
 #include "meshing/mesh/tri_mesh.h"
+#include "tests/support/rock_samples.h"
 #include "vision/rock_data.h"
 
 #include <algorithm>
@@ -9,23 +10,6 @@
 #include <numbers>
 
 namespace scree::test {
-
-/// A rock with smooth lobes, drawn from `rng`; its depth is its least radius.
-inline vision::Rock lobed_rock(Rng& rng, glm::dvec2 centre, double mean_radius) {
-    vision::Rock rock;
-    rock.outline.centre = centre;
-    rock.outline.confidence = 1.0F;
-    const double lobes[] = {rng.uniform(0.05, 0.2), rng.uniform(0.0, 0.1), rng.uniform(0.0, 0.05)};
-    const double turn = rng.uniform(0.0, 2.0 * std::numbers::pi);
-    for (std::size_t k = 0; k < vision::kRadii; ++k) {
-        const double phi = static_cast<double>(k) * std::numbers::pi / 180.0 + turn;
-        const double shape = 1.0 + lobes[0] * std::cos(2.0 * phi) + lobes[1] * std::sin(3.0 * phi) +
-                             lobes[2] * std::cos(5.0 * phi);
-        rock.outline.radii[k] = static_cast<float>(mean_radius * shape);
-    }
-    rock.depth = *std::min_element(rock.outline.radii.begin(), rock.outline.radii.end());
-    return rock;
-}
 
 /// A picture of that size without rocks, at that scale.
 inline vision::RockSet empty_picture(int width, int height, double metres_per_pixel) {
@@ -44,7 +28,7 @@ inline vision::RockSet scattered_rocks(int width, int height, int count, double 
     vision::RockSet set = empty_picture(width, height, 0.002);
     for (int i = 0; i < count; ++i) {
         const glm::dvec2 centre(rng.uniform(0.0, width), rng.uniform(0.0, height));
-        set.rocks.push_back(lobed_rock(rng, centre, rng.uniform(low, high)));
+        set.rocks.push_back(lobed_rock(centre, rng.uniform(low, high), rng.bits()));
     }
     return set;
 }
