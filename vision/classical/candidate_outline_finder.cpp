@@ -30,17 +30,17 @@ bool has_border(const RegionNode& node) {
     return node.outer.length > node.frame && node.outer.mean() >= kLeastBorder;
 }
 
-std::vector<Candidate> shortlist(const RegionHierarchy& hierarchy, const EdgeField& field,
-                                 const std::vector<RegionScore>& scores, double smooth_px) {
+std::vector<Candidate> shortlist(const RegionHierarchy& hierarchy, const RegionIndex& index,
+                                 const EdgeField& field, const std::vector<RegionScore>& scores,
+                                 double smooth_px) {
     std::vector<Candidate> list;
     for (std::size_t i = 0; i < scores.size(); ++i)
         if (scores[i].match >= kLeastMatch && has_border(hierarchy.tree.nodes[i]))
             list.push_back({static_cast<int>(i), {}, {}});
-    const RegionIndex index(hierarchy);
     parallel_for_each_index(0, list.size(), 16, [&](std::size_t i) {
         Candidate& c = list[i];
         c.outline = region_outline(index, hierarchy.tree.nodes[static_cast<std::size_t>(c.region)],
-                                   c.region, smooth_px);
+                                   c.region, smooth_px, Precision::Draft);
         c.features = candidate_features(hierarchy.tree, c.region, c.outline, field);
     });
     return list;
@@ -68,7 +68,8 @@ std::vector<Outline> CandidateOutlineFinder::find(const Photo& photo,
     const RegionHierarchy hierarchy = region_hierarchy(photo, field);
     const double least_area = 0.25 * std::numbers::pi * options_.min_size * options_.min_size;
     const auto first = score_regions(hierarchy.tree, 0.9 * least_area, score_->region);
-    auto candidates = shortlist(hierarchy, field, first, options_.smooth);
+    const RegionIndex index(hierarchy);
+    auto candidates = shortlist(hierarchy, index, field, first, options_.smooth);
     std::vector<CandidateFeatures> features;
     std::ranges::transform(candidates, std::back_inserter(features), &Candidate::features);
     const auto scores = score_candidates(features, score_->outline);
@@ -83,9 +84,14 @@ std::vector<Outline> CandidateOutlineFinder::find(const Photo& photo,
             worth[region] =
                 0.5F * (scores[i].match + scores[i].overlap) - static_cast<float>(options_.caution);
     }
-    std::vector<Outline> outlines;
-    for (const int region : select_regions(hierarchy.tree, worth))
-        outlines.push_back(candidates[candidate_of[static_cast<std::size_t>(region)]].outline);
+    const auto chosen = select_regions(hierarchy.tree, worth);
+    std::vector<Outline> outlines(chosen.size());
+    parallel_for_each_index(0, chosen.size(), 16, [&](std::size_t i) {
+        const auto region = static_cast<std::size_t>(chosen[i]);
+        outlines[i] =
+            region_outline(index, hierarchy.tree.nodes[region], chosen[i], options_.smooth);
+        outlines[i].confidence = candidates[candidate_of[region]].outline.confidence;
+    });
     order(outlines);
     return outlines;
 }

@@ -2,6 +2,7 @@
 
 #include "vision/classical/region_hierarchy.h"
 
+#include <limits>
 #include <vector>
 
 namespace scree::vision {
@@ -22,6 +23,15 @@ public:
         const std::int32_t at = order_(x, y);
         return at >= run.first && at < run.last;
     }
+    /// Pixels [x0, x1) x [y0, y1) that a region lies within.
+    struct Box {
+        int x0 = std::numeric_limits<int>::max();
+        int y0 = std::numeric_limits<int>::max();
+        int x1 = 0;
+        int y1 = 0;
+    };
+    const Box& box(int region) const { return boxes_[static_cast<std::size_t>(region)]; }
+
     /// Whether pixel (x, y) belongs to no region at all. @pre It lies in the picture.
     bool is_open(int x, int y) const { return order_(x, y) == kNoBasin; }
 
@@ -32,6 +42,7 @@ private:
     };
     Raster<std::int32_t> order_;
     std::vector<Run> runs_;
+    std::vector<Box> boxes_;
 };
 
 }  // namespace scree::vision

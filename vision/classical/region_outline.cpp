@@ -3,13 +3,24 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
 namespace scree::vision {
 namespace {
 
-constexpr double kStep = 0.5;  // along a ray, pixels
+// How rays are cast: degrees between them and pixels between their samples.
+struct RayPlan {
+    int stride = 1;
+    double step = 0.5;
+};
+
+RayPlan plan_rays(double radius, Precision precision) {
+    if (precision == Precision::Full)
+        return {ray_stride(radius), 0.5};
+    return {3 * ray_stride(radius), std::clamp(radius / 24, 0.5, 3.0)};
+}
 
 // The pixel of the region with the most room around it, found by growing squares; near `from` on a
 // tie.
@@ -39,20 +50,33 @@ glm::dvec2 deepest_point(const RegionIndex& index, int region, glm::dvec2 from, 
     return best;
 }
 
+// Length of a ray from inside a box to its border.
+double length_in_box(const RegionIndex::Box& box, glm::dvec2 centre, glm::dvec2 direction) {
+    const glm::dvec2 low(box.x0, box.y0), high(box.x1, box.y1);
+    double length = std::numeric_limits<double>::max();
+    for (int axis = 0; axis < 2; ++axis)
+        if (direction[axis] != 0) {
+            const double end = direction[axis] > 0 ? high[axis] : low[axis];
+            length = std::min(length, (end - centre[axis]) / direction[axis]);
+        }
+    return length;
+}
+
 // Radius of the sector that has as much area as the region along the ray.
 double radius_along(const RegionIndex& index, int region, glm::dvec2 centre, glm::dvec2 direction,
-                    double reach) {
+                    double reach, double step) {
+    const double end = std::min(reach, length_in_box(index.box(region), centre, direction));
     double moment = 0, pending = 0;
-    for (double t = 0.5 * kStep; t < reach; t += kStep) {
-        const int x = static_cast<int>(std::floor(centre.x + t * direction.x));
-        const int y = static_cast<int>(std::floor(centre.y + t * direction.y));
+    for (double t = 0.5 * step; t < end; t += step) {
+        const int x = static_cast<int>(centre.x + t * direction.x);
+        const int y = static_cast<int>(centre.y + t * direction.y);
         if (x < 0 || y < 0 || x >= index.width() || y >= index.height())
             break;
         if (index.holds(region, x, y)) {
-            moment += pending + t * kStep;
+            moment += pending + t * step;
             pending = 0;
         } else if (index.is_open(x, y)) {
-            pending += t * kStep;  // a hole if the region goes on behind it
+            pending += t * step;  // a hole if the region goes on behind it
         }
     }
     return std::sqrt(2 * moment);
@@ -87,7 +111,7 @@ int ray_stride(double radius) {
 }
 
 Outline region_outline(const RegionIndex& index, const RegionNode& node, int region,
-                       double smooth_px) {
+                       double smooth_px, Precision precision) {
     const AreaStats& s = node.pixels;
     Outline outline;
     outline.centre = {s.x / s.area, s.y / s.area};
@@ -100,12 +124,12 @@ Outline region_outline(const RegionIndex& index, const RegionNode& node, int reg
     outline.touches_border = node.frame > 0;
 
     const double radius = std::sqrt(s.area / std::numbers::pi);
-    const int stride = ray_stride(radius);
+    const auto [stride, step] = plan_rays(radius, precision);
     std::vector<double> radii;
     for (int k = 0; k < kRadii; k += stride) {
         const double angle = k * std::numbers::pi / 180;
-        radii.push_back(
-            radius_along(index, region, outline.centre, {std::cos(angle), std::sin(angle)}, reach));
+        radii.push_back(radius_along(index, region, outline.centre,
+                                     {std::cos(angle), std::sin(angle)}, reach, step));
     }
     const double arc = radius * stride * std::numbers::pi / 180;
     radii = smoothed(radii, smooth_px / arc);
