@@ -92,6 +92,9 @@ std::vector<Outline> CandidateOutlineFinder::find(const Photo& photo,
             region_outline(index, hierarchy.tree.nodes[region], chosen[i], options_.smooth);
         outlines[i].confidence = candidates[candidate_of[region]].outline.confidence;
     });
+    // A draft may have promised a little more than the full outline holds.
+    std::erase_if(outlines,
+                  [&](const Outline& o) { return equivalent_diameter(o) < options_.min_size; });
     order(outlines);
     return outlines;
 }
