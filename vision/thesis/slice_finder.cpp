@@ -10,9 +10,9 @@
 namespace scree::vision {
 namespace {
 
-constexpr std::size_t kBatch = 16;        // samples traced ahead at once
-constexpr std::size_t kLookAhead = 4096;  // samples searched for ones worth tracing ahead
-constexpr int kApart = 40;                // px between samples of a batch: likely other rocks
+constexpr std::size_t kBatch = 16;       // samples traced ahead at once
+constexpr std::size_t kLookAhead = 200;  // samples searched for ones worth tracing ahead
+constexpr int kApart = 80;               // px between samples of a batch: likely other rocks
 
 // The state of the sequential part: which pixels slices cover, which nodes are struck off.
 class Culling {
