@@ -17,9 +17,12 @@ constexpr std::size_t kLine = 96;
 std::string shortest(double value) {
     std::string text;
     append_number(text, value);
-    const auto exponent = text.find("e+0");  // 1e6 reads better than 1e+06
-    if (exponent != std::string::npos)
-        text.erase(exponent + 1, 2);
+    const auto exponent = text.find('e');  // 1e6 reads better than 1e+06
+    if (exponent != std::string::npos && text[exponent + 1] == '+')
+        text.erase(exponent + 1, 1);
+    const auto digits = text.find_first_of("123456789", std::min(exponent, text.size()));
+    if (digits != std::string::npos && text[digits - 1] == '0')
+        text.erase(digits - 1, 1);
     return text;
 }
 
