@@ -18,7 +18,7 @@ namespace {
 // Least mean boundary along a rock's border, so that plain surfaces give nothing at all.
 constexpr float kLeastBorder = 0.2F;
 // First scores under this are not looked at again.
-constexpr float kLeastMatch = 0.08F;
+constexpr float kLeastMatch = 0.2F;
 
 struct Candidate {
     int region = 0;

@@ -7,7 +7,7 @@ namespace scree::vision {
 
 struct CandidateOptions {
     double min_size = 8.0;  ///< Least equivalent diameter of a rock, pixels.
-    double caution = 0.3;   ///< Worth that a region must exceed to be called a rock.
+    double caution = 0.38;  ///< Worth that a region must exceed to be called a rock.
     double smooth = 1.5;    ///< Smoothing along an outline, pixels.
 };
 

@@ -10,7 +10,7 @@
 namespace scree::vision {
 namespace {
 
-constexpr int kStripRows = 48;  // fixed, so that the pieces do not depend on the thread count
+constexpr int kStripRows = 128;  // fixed, so that the pieces do not depend on the thread count
 constexpr std::size_t kChannels = 3;
 
 void fill_strip(const FeatureStrip& strip, const Mlp& mlp, int first, int last, Context& field) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 namespace scree::vision {
@@ -87,15 +88,17 @@ std::vector<double> smoothed(const std::vector<double>& in, double sigma) {
     const int radius = std::min(n / 4, static_cast<int>(std::ceil(2.5 * sigma)));
     if (radius < 1)
         return in;
+    std::vector<double> weight;
+    for (int k = -radius; k <= radius; ++k)
+        weight.push_back(std::exp(-0.5 * k * k / (sigma * sigma)));
+    const double total = std::accumulate(weight.begin(), weight.end(), 0.0);
     std::vector<double> out(in.size());
     for (int i = 0; i < n; ++i) {
-        double sum = 0, weights = 0;
-        for (int k = -radius; k <= radius; ++k) {
-            const double weight = std::exp(-0.5 * k * k / (sigma * sigma));
-            sum += weight * in[static_cast<std::size_t>((i + k + n) % n)];
-            weights += weight;
-        }
-        out[static_cast<std::size_t>(i)] = sum / weights;
+        double sum = 0;
+        for (int k = 0; k <= 2 * radius; ++k)
+            sum += weight[static_cast<std::size_t>(k)] *
+                   in[static_cast<std::size_t>((i + k - radius + n) % n)];
+        out[static_cast<std::size_t>(i)] = sum / total;
     }
     return out;
 }

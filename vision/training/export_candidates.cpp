@@ -51,7 +51,8 @@ CandidateFeatures features_of(const RegionHierarchy& hierarchy, const RegionInde
     const RegionNode& node = hierarchy.tree.nodes[static_cast<std::size_t>(i)];
     if (node.pixels.area < kLeastArea)
         return {};
-    return candidate_features(hierarchy.tree, i, region_outline(index, node, i, 1.5), field);
+    return candidate_features(hierarchy.tree, i,
+                              region_outline(index, node, i, 1.5, Precision::Draft), field);
 }
 
 void run(char** arg) {

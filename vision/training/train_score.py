@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Train the network that scores candidate regions.
 
-usage: train_score.py DATA TOOLS WORK --folds K [--table OUT.inc]
+usage: train_score.py DATA TOOLS WORK --folds K [--table OUT.inc] [--keep]
 
 TOOLS is the folder of export_candidates and segment. A picture's candidates come from the edge
 field of the fold that left it out (WORK/field_F_of_K.bin, by train_field.py). For each fold a
@@ -21,7 +21,7 @@ from common import Network, fold_of, pictures, read_pair, score, write_table
 HEAD = 5          # overlap, label, left, right, parent
 REGION_FEATURES = 30
 LEAST_AREA = 35   # pixels
-SCALES = (1.0, 0.6, 1.5)
+SCALES = (1.0,)
 
 
 def stem_of(args, k, scale):
@@ -42,10 +42,12 @@ def prepare(args, item, k, scale):
 
 def candidates(args, item, k, fold, scale):
     """Features and overlap of the candidates of one picture, seen by the fold that never saw it."""
-    stem, labels = prepare(args, item, k, scale)
-    subprocess.run([os.path.join(args.tools, "export_candidates"), stem + ".raw", str(labels.shape[1]),
-                    str(labels.shape[0]), os.path.join(args.work, f"field_{fold}_of_{args.folds}.bin"),
-                    stem + ".labels", stem + ".candidates"], check=True)
+    stem = stem_of(args, k, scale)
+    if not args.keep:
+        _, labels = prepare(args, item, k, scale)
+        subprocess.run([os.path.join(args.tools, "export_candidates"), stem + ".raw", str(labels.shape[1]),
+                        str(labels.shape[0]), os.path.join(args.work, f"field_{fold}_of_{args.folds}.bin"),
+                        stem + ".labels", stem + ".candidates"], check=True)
     rows = np.fromfile(stem + ".candidates", np.float32).reshape(-1, args.columns)
     return rows[rows[:, HEAD] > np.log(LEAST_AREA)]
 
@@ -98,6 +100,7 @@ def main():
     parser.add_argument("--epochs", type=int, default=10)
     parser.add_argument("--columns", type=int, default=49)
     parser.add_argument("--table")
+    parser.add_argument("--keep", action="store_true", help="use the candidates exported before")
     args = parser.parse_args()
     items = pictures(args.data)
     folds = fold_of(items, args.folds)
