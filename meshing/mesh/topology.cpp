@@ -6,16 +6,17 @@
 #include <array>
 #include <cstdint>
 #include <numeric>
+#include <tuple>
 #include <utility>
 #include <vector>
 
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 #include <glm/geometric.hpp>
 
 namespace scree::meshing {
 namespace {
 
-using HalfEdgeMesh = OpenMesh::TriMesh_ArrayKernelT<>;
+using HalfEdgeMesh = OpenMesh::TriConnectivity;  // places stay in the TriMesh
 
 // A side of a triangle: its lower and higher place, and which corner of which triangle starts it.
 struct Side {
@@ -104,7 +105,7 @@ HalfEdgeMesh half_edges_of(const TriMesh& mesh, Fans& fans) {
     HalfEdgeMesh half_edges;
     std::vector<HalfEdgeMesh::VertexHandle> vertex(3 * mesh.triangles.size());
     for (std::uint32_t c = 0; c < vertex.size(); ++c)
-        vertex[c] = fans.find(c) == c ? half_edges.add_vertex({0, 0, 0}) : vertex[fans.find(c)];
+        vertex[c] = fans.find(c) == c ? half_edges.add_vertex() : vertex[fans.find(c)];
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
         half_edges.add_face(vertex[3 * t], vertex[3 * t + 1], vertex[3 * t + 2]);
     return half_edges;
