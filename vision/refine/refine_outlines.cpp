@@ -16,9 +16,9 @@ namespace scree::vision {
 namespace {
 
 constexpr double kBlur = 0.8;        // px, of the maps: the interpolator wants smooth ground
-constexpr double kRaySpacing = 2.5;  // px between rays at the outline
+constexpr double kRaySpacing = 3.5;  // px between rays at the outline
 constexpr int kLeastRays = 24;
-constexpr int kMostRays = 96;
+constexpr int kMostRays = 80;
 constexpr double kSupportKept = 0.97;  // share of its edge support an outline may lose
 
 void check_channel(const FloatRaster& channel, const char* name, const Photo& photo) {
