@@ -152,6 +152,37 @@ std::uint64_t after_text(Bytes& bytes, std::uint64_t at) {
     return bytes.find(0, at) + 1;
 }
 
+struct TypeLength {
+    std::string_view type;  // with the zero at its end
+    std::uint64_t length;
+};
+
+// OpenEXR's types of fixed length. Its reader trusts the type, not the length that is written.
+constexpr TypeLength kExrTypes[] = {
+    {"box2i\0"sv, 16},      {"box2f\0"sv, 16},   {"chromaticities\0"sv, 32},
+    {"compression\0"sv, 1}, {"double\0"sv, 8},   {"envmap\0"sv, 1},
+    {"float\0"sv, 4},       {"int\0"sv, 4},      {"keycode\0"sv, 28},
+    {"lineOrder\0"sv, 1},   {"m33f\0"sv, 36},    {"m44f\0"sv, 64},
+    {"m33d\0"sv, 72},       {"m44d\0"sv, 128},   {"rational\0"sv, 8},
+    {"tiledesc\0"sv, 9},    {"timecode\0"sv, 8}, {"v2i\0"sv, 8},
+    {"v2f\0"sv, 8},         {"v2d\0"sv, 16},     {"v3i\0"sv, 12},
+    {"v3f\0"sv, 12},        {"v3d\0"sv, 24}};
+
+// Whether an attribute of this type can be of this length.
+bool fits_type(Bytes& bytes, std::uint64_t type, std::uint64_t data, std::uint64_t length) {
+    for (const TypeLength& known : kExrTypes)
+        if (bytes.has(type, known.type))
+            return length == known.length;
+    if (bytes.has(type, "preview\0"sv))
+        return length == 8 + 4 * std::uint64_t{bytes.little(data, 4)} * bytes.little(data + 4, 4);
+    if (!bytes.has(type, "chlist\0"sv))
+        return true;
+    std::uint64_t at = data;  // channels: a name and 16 bytes each, a zero at the end
+    while (at < data + length && bytes.at(at) != 0)
+        at = after_text(bytes, at) + 16;
+    return at + 1 == data + length;
+}
+
 // Walk the attributes: the reader takes as much memory as each says it has.
 PictureHeader exr_header(Bytes& bytes, const fs::path& path) {
     PictureHeader header{"openexr", 0.0, 0.0, 0};
@@ -165,7 +196,9 @@ PictureHeader exr_header(Bytes& bytes, const fs::path& path) {
             const std::uint64_t length = bytes.little(size, 4);
             if (data + length >= bytes.size())
                 refuse_cut(path);
-            if (bytes.has(at, "dataWindow\0box2i\0"sv) && length == 16) {
+            if (!fits_type(bytes, type, data, length))
+                fail<IoError>("cannot read ", path.string(), ": its header is damaged");
+            if (bytes.has(at, "dataWindow\0box2i\0"sv)) {
                 const auto corner = [&](unsigned i) {
                     return static_cast<double>(
                         static_cast<std::int32_t>(bytes.little(data + std::uint64_t{4} * i, 4)));

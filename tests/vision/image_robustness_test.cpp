@@ -360,6 +360,14 @@ TEST(ImageRefusal, AttributeLongerThanItsFile) {
     EXPECT_THAT([&] { read_photo(dir / "a.exr"); }, ThrowsMessage<IoError>(HasSubstr("cut off")));
 }
 
+// Found by fuzzing: OpenEXR went on behind a window of 16 bytes, whatever length was written.
+TEST(ImageRefusal, AttributeOfAnotherLengthThanItsType) {
+    const test::TempDir dir;
+    put(dir / "a.exr", std::string("\x76\x2F\x31\x01\2\0\0\0dataWindow\0box2i\0", 25) +
+                           little(130, 4) + std::string(200, 'x'));
+    EXPECT_THAT([&] { read_photo(dir / "a.exr"); }, ThrowsMessage<IoError>(HasSubstr("damaged")));
+}
+
 TEST(ImageRefusal, WhatIsNoPictureFile) {
     const test::TempDir dir;
     put(dir / "empty.png", "");
