@@ -11,6 +11,9 @@
 namespace scree::vision {
 namespace {
 
+constexpr double kSpikeReach = 0.1;    // half a spike's width, radians
+constexpr double kSmoothShare = 0.08;  // least smoothing along the border, of the radius
+
 // How rays are cast: degrees between them and pixels between their samples.
 struct RayPlan {
     int stride = 1;
@@ -103,6 +106,20 @@ std::vector<double> smoothed(const std::vector<double>& in, double sigma) {
     return out;
 }
 
+// Middle value of every ray's neighbourhood: spikes where a region frays vanish, edges stay.
+std::vector<double> despiked(const std::vector<double>& in, int reach) {
+    const int n = static_cast<int>(in.size());
+    std::vector<double> out(in.size()), window;
+    for (int i = 0; i < n; ++i) {
+        window.clear();
+        for (int k = -reach; k <= reach; ++k)
+            window.push_back(in[static_cast<std::size_t>((i + k + n) % n)]);
+        std::nth_element(window.begin(), window.begin() + reach, window.end());
+        out[static_cast<std::size_t>(i)] = window[static_cast<std::size_t>(reach)];
+    }
+    return out;
+}
+
 }  // namespace
 
 int ray_stride(double radius) {
@@ -135,7 +152,8 @@ Outline region_outline(const RegionIndex& index, const RegionNode& node, int reg
                                      {std::cos(angle), std::sin(angle)}, reach, step));
     }
     const double arc = radius * stride * std::numbers::pi / 180;
-    radii = smoothed(radii, smooth_px / arc);
+    radii = despiked(radii, static_cast<int>(std::lround(kSpikeReach * radius / arc)));
+    radii = smoothed(radii, std::max(smooth_px, kSmoothShare * radius) / arc);
     for (std::size_t k = 0; k < kRadii; ++k) {
         const std::size_t at = k / static_cast<std::size_t>(stride);
         const double share = static_cast<double>(k % static_cast<std::size_t>(stride)) / stride;

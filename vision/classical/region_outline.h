@@ -12,7 +12,7 @@ enum class Precision { Full, Draft };
 /// The centre is the area centroid, or the deepest point where the centroid lies outside. Holes of
 /// pixels that belong to no region count as part of it.
 /// @param region     Number of a node of the hierarchy that `index` was made of.
-/// @param smooth_px  Width of the smoothing along the border.
+/// @param smooth_px  Width of the smoothing along the border; large rocks get 0.08 of their radius.
 /// @param precision  Draft casts a third of the rays in longer steps: enough to judge a candidate.
 Outline region_outline(const RegionIndex& index, const RegionNode& node, int region,
                        double smooth_px, Precision precision = Precision::Full);
