@@ -21,8 +21,8 @@ struct Ray {
 };
 
 float sample(const FloatRaster& channel, glm::dvec2 p) {
-    const int x = std::clamp(static_cast<int>(std::floor(p.x)), 0, channel.width() - 1);
-    const int y = std::clamp(static_cast<int>(std::floor(p.y)), 0, channel.height() - 1);
+    const int x = static_cast<int>(std::clamp(p.x, 0.0, channel.width() - 1.0));
+    const int y = static_cast<int>(std::clamp(p.y, 0.0, channel.height() - 1.0));
     return channel(x, y);
 }
 
@@ -100,7 +100,7 @@ std::array<float, kOutlineFeatures> outline_features(const Outline& outline,
     const double radius = 0.5 * equivalent_diameter(outline);
     std::vector<double> border, inner;
     Ray mean;
-    for (int k = 0; k < kRadii; k += 3 * ray_stride(radius)) {
+    for (int k = 0; k < kRadii; k += draft_stride(radius)) {
         const Ray ray = look_along(outline, field, k);
         border.push_back(ray.border);
         inner.push_back(ray.inner);

@@ -23,7 +23,7 @@ struct RayPlan {
 RayPlan plan_rays(double radius, Precision precision) {
     if (precision == Precision::Full)
         return {ray_stride(radius), 0.5};
-    return {3 * ray_stride(radius), std::clamp(radius / 24, 0.5, 3.0)};
+    return {draft_stride(radius), std::clamp(radius / 24, 0.5, 3.0)};
 }
 
 // The pixel of the region with the most room around it, found by growing squares; near `from` on a
@@ -128,6 +128,10 @@ int ray_stride(double radius) {
         if (radius * wider * std::numbers::pi / 180 <= 0.8)
             stride = wider;
     return stride;
+}
+
+int draft_stride(double radius) {
+    return std::max(6, 3 * ray_stride(radius));
 }
 
 Outline region_outline(const RegionIndex& index, const RegionNode& node, int region,

@@ -20,4 +20,7 @@ Outline region_outline(const RegionIndex& index, const RegionNode& node, int reg
 /// Degrees between rays so that they stand about a pixel apart on a border of this radius.
 int ray_stride(double radius);
 
+/// Degrees between rays that are enough to judge an outline: 40 to 60 rays, fewer if it is small.
+int draft_stride(double radius);
+
 }  // namespace scree::vision
