@@ -77,7 +77,8 @@ void write_staged_file(const fs::path& path, std::span<const std::uint8_t> bytes
     File file(std::fopen(path.c_str(), "wb"));
     if (!file)
         fail<IoError>("cannot write ", path.string(), ": ", std::strerror(errno));
-    const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size() &&
+    const bool written = (bytes.empty() ||  // without bytes the pointer may be null
+                          std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size()) &&
                          std::fflush(file.get()) == 0;
     const int reason = errno;
     const bool closed = std::fclose(file.release()) == 0;
