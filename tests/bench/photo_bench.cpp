@@ -1,21 +1,23 @@
-// Whole runs of the program and the outlines alone, each beside the ordinary OpenCV way (Canny, then
-// watershed) on the same picture in the same run. The picture is the demo photograph, mirrored
+// Whole runs of the program and the outlines alone, each beside the ordinary OpenCV way (Canny,
+// then watershed) on the same picture in the same run. The picture is the demo photograph, mirrored
 // and repeated to the size asked for, so that rocks keep their size in pixels.
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <stdexcept>
-#include <string>
-
-#include <benchmark/benchmark.h>
-
+#include "base/stopwatch.h"
 #include "tests/support/temp_dir.h"
 #include "vision/image_io.h"
 #include "vision/rock_extraction.h"
 #include "vision/thesis/baseline_detectors.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <benchmark/benchmark.h>
 
 namespace {
 
@@ -53,13 +55,36 @@ double run_program(const fs::path& photo, const fs::path& out) {
     return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
+// Seconds of the ordinary way on the same picture: the median of three runs.
+double baseline_seconds(const Photo& photo) {
+    const scree::vision::WatershedDetector baseline({.working_width = 0});
+    std::array<double, 3> seconds{};
+    for (double& run : seconds) {
+        scree::Stopwatch watch;
+        benchmark::DoNotOptimize(baseline.detect(photo));
+        run = watch.lap();
+    }
+    std::sort(seconds.begin(), seconds.end());
+    return seconds[1];
+}
+
+// The baseline and how many times as long our run took.
+void count_ratio(benchmark::State& state, const Photo& photo, double seconds_per_run) {
+    const double baseline = baseline_seconds(photo);
+    state.counters["canny_watershed_ms"] = 1e3 * baseline;
+    state.counters["ratio"] = seconds_per_run / baseline;
+}
+
 void photo_to_files(benchmark::State& state) {
     const auto width = static_cast<int>(state.range(0));
     const scree::test::TempDir dir;
-    scree::vision::write_png(dir / "photo.png", ground(width, width * 3 / 4));
+    const Photo photo = ground(width, width * 3 / 4);
+    scree::vision::write_png(dir / "photo.png", photo);
     double peak = 0.0;
+    scree::Stopwatch watch;
     for (auto _ : state)
         peak = std::max(peak, run_program(dir / "photo.png", dir / "out"));
+    count_ratio(state, photo, watch.lap() / static_cast<double>(state.iterations()));
     state.counters["peak_mib"] = peak;
     state.counters["megapixels"] = width * (width * 3 / 4) * 1e-6;
 }
@@ -74,8 +99,10 @@ void outlines(benchmark::State& state, scree::vision::Method method) {
     const auto width = static_cast<int>(state.range(0));
     const Photo photo = ground(width, width * 3 / 4);
     std::size_t n_rocks = 0;
+    scree::Stopwatch watch;
     for (auto _ : state)
         n_rocks = scree::vision::extract_rocks(photo, {.method = method}).rocks.rocks.size();
+    count_ratio(state, photo, watch.lap() / static_cast<double>(state.iterations()));
     state.counters["rocks"] = static_cast<double>(n_rocks);
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(photo.size()));
 }
