@@ -32,6 +32,8 @@ namespace fs = std::filesystem;
 
 constexpr int kTextureQuality = 90;
 constexpr int kPatchStones = 2000;
+// With more vertices than these the levels are written one after another, to hold one at a time.
+constexpr std::size_t kManyVertices = 2'000'000;
 
 using LodChains = std::vector<std::vector<meshing::LodLevel>>;
 
@@ -212,6 +214,23 @@ void write_lod_list(const Workshop& shop) {
                       meshing::lods_json(shop.meshes, shop.chains, files));
 }
 
+void add_mesh_steps(const Workshop& shop, std::vector<Step>& steps) {
+    const std::size_t n_levels = meshing::deepest_level(shop.chains);
+    const auto write_levels = [&shop](std::size_t first, std::size_t last) {
+        for (std::size_t level = first; level < last; ++level)
+            level == 0 ? write_rocks(shop) : write_level(shop, level);
+    };
+    if (shop.report.n_vertices > kManyVertices) {
+        steps.push_back({"rocks", [=] { write_levels(0, n_levels); }});
+    } else {
+        steps.push_back({"rocks", [=] { write_levels(0, 1); }});
+        for (std::size_t level = 1; level < n_levels; ++level)
+            steps.push_back(
+                {"lod " + std::to_string(level), [=] { write_levels(level, level + 1); }});
+    }
+    steps.push_back({"lod list", [&shop] { write_lod_list(shop); }});
+}
+
 // The longest first, so that no thread waits long at the end.
 std::vector<Step> last_steps(Workshop& shop) {
     const auto path = [&shop](const char* name) { return shop.staged.at(name); };
@@ -231,13 +250,8 @@ std::vector<Step> last_steps(Workshop& shop) {
                          vision::write_png(path("ao.png"),
                                            meshing::ambient_occlusion(shop.heights));
                      }});
-    if (shop.has_rocks()) {
-        steps.push_back({"rocks", [&] { write_rocks(shop); }});
-        for (std::size_t level = 1; level < meshing::deepest_level(shop.chains); ++level)
-            steps.push_back(
-                {"lod " + std::to_string(level), [&, level] { write_level(shop, level); }});
-        steps.push_back({"lod list", [&] { write_lod_list(shop); }});
-    }
+    if (shop.has_rocks())
+        add_mesh_steps(shop, steps);
     steps.push_back({"displacement exr", [&, path] {
                          vision::write_heights_exr(path("displacement.exr"), shop.heights);
                      }});
