@@ -61,13 +61,13 @@ FloatRaster with_margin(const cv::Mat& plane) {
     return out;
 }
 
-// Add a quarter of a phase's plane at the place it was cut from.
-void add_shifted(const FloatRaster& plane, int dx, int dy, FloatRaster& sum) {
-    for (int y = 0; y < sum.height(); ++y) {
-        const float* in = plane.row(std::max(0, y - dy));
-        float* out = sum.row(y);
-        for (int x = 0; x < sum.width(); ++x)
-            out[x] += in[std::max(0, x - dx)] / static_cast<float>(kPhases);
+// Add the share of one phase at the place it was cut from.
+void add_shifted(const cv::Mat& plane, const PhasedLevel& phase, float weight, cv::Mat& sum) {
+    for (int y = 0; y < sum.rows; ++y) {
+        const auto* in = plane.ptr<float>(std::max(0, y - phase.dy));
+        auto* out = sum.ptr<float>(y);
+        for (int x = 0; x < sum.cols; ++x)
+            out[x] += weight * in[std::max(0, x - phase.dx)];
     }
 }
 
@@ -91,41 +91,39 @@ Context context_from(const Context& coarse) {
     return fine;
 }
 
-Context phase_context(const CoarseLevels& coarse, const FieldModel& model, std::size_t last) {
-    Context context;
-    for (std::size_t i = kPyramidLevels; i-- > last;) {
-        const Context field = level_field(coarse.levels[i - kFineLevels], context, model.levels[i]);
-        context.clear();
-        for (const auto& plane : field)
-            context.push_back(with_margin(twice(softened(view(plane)))));
-    }
-    return context;
-}
-
-Context coarse_context(const LightPyramid& pyramid, const FieldModel& model) {
-    std::array<Context, kPhases> phases;
-    parallel_for_each_index(0, kPhases, 1, [&](std::size_t i) {
-        phases[i] = phase_context(pyramid.coarse[i], model, kFineLevels);
+Context coarse_context(const std::vector<PhasedLevel>& phases, const FieldModel& model,
+                       std::size_t level) {
+    if (phases.empty())
+        return {};
+    std::vector<Context> fields(phases.size());
+    parallel_for_each_index(0, phases.size(), 1, [&](std::size_t i) {
+        const Context above = coarse_context(phases[i].coarser, model, level + 1);
+        fields[i] = level_field(phases[i].level, above, model.levels[level]);
     });
+    const auto weight = 1.0F / static_cast<float>(phases.size());
     Context mean;
     for (std::size_t channel = 0; channel < kChannels; ++channel) {
-        const FloatRaster& first = phases[0][channel];
-        FloatRaster sum(first.width(), first.height());
-        for (std::size_t i = 0; i < kPhases; ++i)
-            add_shifted(phases[i][channel], pyramid.coarse[i].dx, pyramid.coarse[i].dy, sum);
-        mean.push_back(std::move(sum));
+        const LightLevel& first = phases[0].level;
+        cv::Mat sum = cv::Mat::zeros(2 * first.height, 2 * first.width, CV_32F);
+        for (std::size_t i = 0; i < phases.size(); ++i)
+            add_shifted(twice(softened(view(fields[i][channel]))), phases[i], weight, sum);
+        mean.push_back(with_margin(sum));
     }
     return mean;
 }
 
 EdgeField ClassicalEdgeDetector::detect(const Photo& photo) const {
-    const LightPyramid pyramid = light_pyramid(photo);
-    Context field =
-        level_field(pyramid.fine[1], coarse_context(pyramid, *model_), model_->levels[1]);
-    field = level_field(pyramid.fine[0], context_from(field), model_->levels[0]);
-    return {cropped(field[0], photo.width(), photo.height()),
-            cropped(field[1], photo.width(), photo.height()),
-            cropped(field[2], photo.width(), photo.height())};
+    LightPyramid pyramid = light_pyramid(photo);
+    Context context = coarse_context(pyramid.coarse, *model_, kFineLevels);
+    pyramid.coarse.clear();  // a large photograph's planes are let go as soon as they are used up
+    context = context_from(level_field(pyramid.fine[1], context, model_->levels[1]));
+    pyramid.fine[1] = {};
+    Context field = level_field(pyramid.fine[0], context, model_->levels[0]);
+    pyramid.fine[0] = {};
+    context.clear();
+    for (auto& channel : field)
+        channel = cropped(channel, photo.width(), photo.height());
+    return {std::move(field[0]), std::move(field[1]), std::move(field[2])};
 }
 
 }  // namespace scree::vision

@@ -25,12 +25,11 @@ private:
 /// What a network says at one level: planes boundary, inside, distance without margin.
 Context level_field(const LightLevel& level, const Context& context, const Mlp& mlp);
 
-/// What the networks of one phase's coarse levels say, down to `last`, brought to the size of the
-/// next finer level with the margin of its planes; empty for the coarsest level.
-Context phase_context(const CoarseLevels& coarse, const FieldModel& model, std::size_t last);
-
-/// What all coarse levels say, averaged over the phases and brought to level 1.
-Context coarse_context(const LightPyramid& pyramid, const FieldModel& model);
+/// What the networks of a level and of all coarser ones say, averaged over the phases of each and
+/// brought to the next finer level with the margin of its planes; empty without phases.
+/// @param level  Number of the level that `phases` are of.
+Context coarse_context(const std::vector<PhasedLevel>& phases, const FieldModel& model,
+                       std::size_t level);
 
 /// Planes of level 1, brought to level 0 with the margin of its planes.
 Context context_from(const Context& coarse);

@@ -8,6 +8,7 @@
 namespace scree::vision {
 namespace {
 
+constexpr std::size_t kPhases = 4;
 constexpr int kPadTo = 1 << (kPyramidLevels - 1);
 // Below this spread (six grey levels of 255) there is nothing to see but noise.
 constexpr float kSpreadFloor = 0.025F;
@@ -112,14 +113,20 @@ Planes shifted(const Planes& planes, int dx, int dy) {
     return {shift(planes.luma), shift(planes.red_green), shift(planes.yellow_blue)};
 }
 
-CoarseLevels coarse_levels(const Planes& level1, int dx, int dy) {
-    CoarseLevels coarse{dx, dy, {}};
-    Planes planes = shifted(level1, dx, dy);
-    for (auto& level : coarse.levels) {
-        planes = halved(planes);
-        level = normalised(planes);
-    }
-    return coarse;
+// All phases of a level and what is coarser, from the planes of the next finer level.
+std::vector<PhasedLevel> phased(const Planes& finer, int level) {
+    if (level >= kPyramidLevels)
+        return {};
+    std::vector<PhasedLevel> phases(kPhases);
+    parallel_for_each_index(0, phases.size(), 1, [&](std::size_t i) {
+        PhasedLevel& phase = phases[i];
+        phase.dx = static_cast<int>(i % 2);
+        phase.dy = static_cast<int>(i / 2);
+        const Planes planes = halved(shifted(finer, phase.dx, phase.dy));
+        phase.level = normalised(planes);
+        phase.coarser = phased(planes, level + 1);
+    });
+    return phases;
 }
 
 }  // namespace
@@ -132,10 +139,7 @@ LightPyramid light_pyramid(const Photo& photo) {
     pyramid.fine[0] = normalised(planes);
     planes = halved(planes);
     pyramid.fine[1] = normalised(planes);
-    parallel_for_each_index(0, kPhases, 1, [&](std::size_t i) {
-        const int phase = static_cast<int>(i);
-        pyramid.coarse[i] = coarse_levels(planes, phase % 2, phase / 2);
-    });
+    pyramid.coarse = phased(planes, kFineLevels);
     return pyramid;
 }
 

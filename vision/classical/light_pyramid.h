@@ -22,23 +22,24 @@ struct LightLevel {
 };
 
 inline constexpr int kPyramidLevels = 5;  ///< Each half as wide as the one before.
-inline constexpr int kFineLevels = 2;     ///< Levels 0 and 1 exist once...
-inline constexpr int kPhases = 4;         ///< ...the coarser ones once for each phase.
+inline constexpr int kFineLevels = 2;     ///< Levels 0 and 1 exist once, coarser ones in phases.
 
-/// Levels 2, 3 and 4 made from level 1 without its first `dx` columns and `dy` rows.
-struct CoarseLevels {
+/// A coarse level made from the next finer one without its first `dx` columns and `dy` rows, with
+/// the coarser levels that were made from it.
+struct PhasedLevel {
     int dx = 0;
     int dy = 0;
-    std::array<LightLevel, kPyramidLevels - kFineLevels> levels;
+    LightLevel level;
+    std::vector<PhasedLevel> coarser;
 };
 
 /// A photograph at five scales.
 ///
-/// Halving four times would tie what the coarse levels see to where the picture begins: they are
-/// made four times over, shifted by one pixel of level 1 in each direction.
+/// Halving ties what a level sees to where the picture begins, so levels 2 to 4 are made four
+/// times over from each that is finer, shifted by one of its pixels in each direction.
 struct LightPyramid {
     std::array<LightLevel, kFineLevels> fine;
-    std::array<CoarseLevels, kPhases> coarse;
+    std::vector<PhasedLevel> coarse;  ///< Level 2, four phases.
 };
 
 /// Halve a photograph four times and normalise every level by its own surroundings.

@@ -55,15 +55,18 @@ void run(char** arg) {
     const auto positions = training::read_all<int>(arg[6]);
     std::vector<float> values;
     if (target == 0) {
-        const Context above =
-            level_field(pyramid.fine[1], coarse_context(pyramid, model), model.levels[1]);
+        const Context above = level_field(
+            pyramid.fine[1], coarse_context(pyramid.coarse, model, kFineLevels), model.levels[1]);
         values = values_at(pyramid.fine[0], context_from(above), positions);
     } else if (target == 1) {
-        values = values_at(pyramid.fine[1], coarse_context(pyramid, model), positions);
+        values = values_at(pyramid.fine[1], coarse_context(pyramid.coarse, model, kFineLevels),
+                           positions);
     } else {
-        const CoarseLevels& phase = pyramid.coarse[0];
-        values = values_at(phase.levels.at(target - kFineLevels),
-                           phase_context(phase, model, target + 1), positions);
+        const PhasedLevel* phase = &pyramid.coarse[0];
+        for (std::size_t i = kFineLevels; i < target; ++i)
+            phase = &phase->coarser.at(0);
+        values =
+            values_at(phase->level, coarse_context(phase->coarser, model, target + 1), positions);
     }
     training::write_all(arg[7], values.data(), values.size());
 }

@@ -17,20 +17,21 @@ TEST(LightPyramid, HalvesAndPads) {
     EXPECT_EQ(pyramid.fine[0].width, 48);
     EXPECT_EQ(pyramid.fine[0].height, 32);
     EXPECT_EQ(pyramid.fine[1].width, 24);
-    for (const auto& phase : pyramid.coarse) {
-        int width = pyramid.fine[1].width;
-        for (const auto& level : phase.levels) {
-            width /= 2;
-            EXPECT_EQ(level.width, width);
-            EXPECT_EQ(level.grey.width(), width + 2 * kMargin);
+    ASSERT_EQ(pyramid.coarse.size(), 4U);
+    int width = pyramid.fine[1].width;
+    for (const auto* phases = &pyramid.coarse; !phases->empty(); phases = &phases->back().coarser) {
+        width /= 2;
+        for (const PhasedLevel& phase : *phases) {
+            EXPECT_EQ(phase.level.width, width);
+            EXPECT_EQ(phase.level.grey.width(), width + 2 * kMargin);
         }
     }
+    EXPECT_EQ(width, 48 / 16);
 }
 
 TEST(LightPyramid, PlainPictureIsZero) {
     const LightPyramid pyramid = light_pyramid(Photo(64, 48, {90, 140, 200}));
-    for (const LightLevel* level :
-         {&pyramid.fine[0], &pyramid.fine[1], &pyramid.coarse[3].levels[0]})
+    for (const LightLevel* level : {&pyramid.fine[0], &pyramid.fine[1], &pyramid.coarse[3].level})
         for (const auto* plane : {&level->grey, &level->red_green, &level->yellow_blue})
             for (const float v : *plane)
                 EXPECT_NEAR(v, 0.0F, 1e-3F);
@@ -41,8 +42,8 @@ TEST(LightPyramid, PhasesMatchWhenThePictureIsShifted) {
     Photo cropped(256, 190);
     std::copy(made.photo.row(2), made.photo.row(2) + cropped.size(), cropped.begin());
     const LightPyramid whole = light_pyramid(made.photo), cut = light_pyramid(cropped);
-    const auto& a = whole.coarse[2].levels[0];  // one row of level 1 later
-    const auto& b = cut.coarse[0].levels[0];
+    const auto& a = whole.coarse[2].level;  // one row of level 1 later
+    const auto& b = cut.coarse[0].level;
     ASSERT_EQ(whole.coarse[2].dy, 1);
     for (int y = 20 + kMargin; y < 40 + kMargin; ++y)
         for (int x = kMargin; x < kMargin + 60; ++x)
