@@ -21,8 +21,11 @@ struct Chain {
 };
 
 Chain make_chain(const ExtractionOptions& options) {
-    if (options.method == Method::Thesis)
-        return {std::make_unique<ThesisEdgeDetector>(), std::make_unique<RayOutlineFinder>()};
+    if (options.method == Method::Thesis) {
+        const ThesisOptions thesis = thesis_options(options.reading);
+        return {std::make_unique<ThesisEdgeDetector>(thesis),
+                std::make_unique<RayOutlineFinder>(thesis)};
+    }
     return {
         std::make_unique<ClassicalEdgeDetector>(),
         std::make_unique<CandidateOutlineFinder>(CandidateOptions{.min_size = options.min_size})};
@@ -97,7 +100,7 @@ RockExtraction extract_rocks(const Photo& photo, const ExtractionOptions& option
     const Chain chain = make_chain(options);
     RockExtraction result = extract_rocks(photo, *chain.detector, *chain.finder, options, progress);
     if (options.keep_stages && options.method == Method::Thesis)
-        result.stages = thesis_stages(photo);
+        result.stages = thesis_stages(photo, thesis_options(options.reading));
     result.rocks.method = names_of(options.method)[static_cast<std::size_t>(options.method)];
     return result;
 }

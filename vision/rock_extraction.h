@@ -26,14 +26,17 @@ constexpr std::span<const std::string_view> names_of(Method) {
 
 struct ExtractionOptions {
     Method method = Method::Classical;
-    double min_size = 8.0;     ///< Least equivalent diameter of a rock, px.
-    bool refine = true;        ///< Fit a generalised ellipsoid to every outline.
-    bool keep_stages = false;  ///< Keep a picture of every stage.
+    Reading reading = Reading::Sound;  ///< Of the source's method; the classical one has no other.
+    double min_size = 8.0;             ///< Least equivalent diameter of a rock, px.
+    bool refine = true;                ///< Fit a generalised ellipsoid to every outline.
+    bool keep_stages = false;          ///< Keep a picture of every stage.
 };
 
 template <class Visitor>
 void describe(ExtractionOptions& o, Visitor&& field) {
     field("method", o.method, FieldInfo{.help = "how outlines are found"});
+    field("reading", o.reading,
+          FieldInfo{.help = "of the thesis method: what its text must mean, or as printed"});
     field("min-size", o.min_size,
           FieldInfo{
               .min = 3, .max = 10000, .unit = "px", .help = "least equivalent diameter of a rock"});

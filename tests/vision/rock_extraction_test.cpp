@@ -83,6 +83,14 @@ TEST(RockExtraction, UnrefinedRocksHaveTheirLeastRadiusAsDepth) {
     }
 }
 
+TEST(RockExtraction, ReadingChangesWhatTheThesisMethodFinds) {
+    const auto n_rocks = [](Reading reading) {
+        return extract_rocks(pebbles().photo, {.method = Method::Thesis, .reading = reading})
+            .rocks.rocks.size();
+    };
+    EXPECT_NE(n_rocks(Reading::Sound), n_rocks(Reading::Literal));
+}
+
 TEST(RockExtraction, RefusesAnEmptyPhotographAndStopsWhenAsked) {
     EXPECT_THROW(extract_rocks(Photo{}), InvalidInput);
     EXPECT_THROW(extract_rocks(pebbles().photo, {.min_size = 1}), InvalidOption);
