@@ -58,7 +58,7 @@ std::string big(std::uint32_t value) {
 std::string little(std::uint32_t value, int n) {
     std::string text;
     for (int i = 0; i < n; ++i)
-        text += static_cast<char>(value >> (8 * i));
+        text += static_cast<char>(std::uint64_t{value} >> (8 * i));
     return text;
 }
 
