@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Compare the displacement map that `scree rocks` makes of a photograph with a measured height map.
 
 usage: displacement_against_scan.py COLOUR HEIGHT [--scree PROGRAM] [--sigma 40] [-o PICTURE]

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Score `scree rocks` on folders of labelled photographs, and what the refinement gains there.
 
 usage: score_photos.py DATA [--scree PROGRAM] [--method METHOD] [--refinement] [FOLDER ...]
