@@ -2,13 +2,12 @@
 //
 // usage: export_candidates RAW WIDTH HEIGHT FIELD LABELS OUT
 //   RAW     8-bit RGB, row by row
-//   FIELD   float32 numbers of the edge field's networks
+//   FIELD   float32 planes of an edge field (.f32) or numbers of the classical networks
 //   LABELS  uint16, row by row, 0 = background
 //   OUT     float32, a row for each region: overlap, label, left, right, parent, features
-#include "vision/classical/classical_edge_detector.h"
 #include "vision/classical/region_outline.h"
 #include "vision/classical/region_score.h"
-#include "vision/training/tool_files.h"
+#include "vision/training/field_source.h"
 
 #include <iostream>
 #include <map>
@@ -57,9 +56,7 @@ CandidateFeatures features_of(const RegionHierarchy& hierarchy, const RegionInde
 
 void run(char** arg) {
     const Photo photo = training::read_raw(arg[1], arg[2], arg[3]);
-    const auto numbers = training::read_numbers(arg[4]);
-    const FieldModel model = read_field_model(numbers);
-    const EdgeField field = ClassicalEdgeDetector(model).detect(photo);
+    const EdgeField field = training::read_field(photo, arg[4]);
     const RegionHierarchy hierarchy = region_hierarchy(photo, field);
     const RegionIndex index(hierarchy);
     const auto& nodes = hierarchy.tree.nodes;

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Train the network that scores candidate regions.
 
-usage: train_score.py DATA TOOLS WORK --folds K [--table OUT.inc] [--keep]
+usage: train_score.py DATA TOOLS WORK --folds K [--fields DIR] [--table OUT.inc] [--keep] [--plain]
 
 TOOLS is the folder of export_candidates and segment. A picture's candidates come from the edge
-field of the fold that left it out (WORK/field_F_of_K.bin, by train_field.py). For each fold a
+field of the fold that left it out: WORK/field_F_of_K.bin, by train_field.py, or with --fields the
+finished planes DIR/<folder>_<stem>.f32 (float32: boundary, inside, distance). For each fold a
 score is trained on the other pictures (WORK/score_F_of_K.bin) and the left-out pictures are
 segmented with both and scored; then one on all pictures is written: WORK/score_all.bin, the table.
 """
@@ -40,14 +41,20 @@ def prepare(args, item, k, scale):
     return stem, labels
 
 
+def field_of(args, item, fold):
+    """The edge field that never saw the picture: finished planes, or networks that make it."""
+    if args.fields:
+        return os.path.join(args.fields, item[0].replace("/", "_") + ".f32")
+    return os.path.join(args.work, f"field_{fold}_of_{args.folds}.bin")
+
+
 def candidates(args, item, k, fold, scale):
     """Features and overlap of the candidates of one picture, seen by the fold that never saw it."""
     stem = stem_of(args, k, scale)
     if not args.keep:
         _, labels = prepare(args, item, k, scale)
         subprocess.run([os.path.join(args.tools, "export_candidates"), stem + ".raw", str(labels.shape[1]),
-                        str(labels.shape[0]), os.path.join(args.work, f"field_{fold}_of_{args.folds}.bin"),
-                        stem + ".labels", stem + ".candidates"], check=True)
+                        str(labels.shape[0]), field_of(args, item, fold), stem + ".labels", stem + ".candidates"], check=True)
     rows = np.fromfile(stem + ".candidates", np.float32).reshape(-1, args.columns)
     return rows[rows[:, HEAD] > np.log(LEAST_AREA)]
 
@@ -74,7 +81,8 @@ def judge(args, item, k, field, score_file):
     _, labels = read_pair(item[2], item[3])
     stem = stem_of(args, k, 1.0)
     subprocess.run([os.path.join(args.tools, "segment"), stem + ".raw", str(labels.shape[1]), str(labels.shape[0]),
-                    field, score_file, stem + ".segmented"], check=True)
+                    field, score_file, stem + ".segmented", str(args.caution), str(args.min_size),
+                    *(["plain"] if args.plain else [])], check=True)
     found = np.fromfile(stem + ".segmented", np.uint16).reshape(labels.shape)
     return score(found.astype(np.int64), labels.astype(np.int64))
 
@@ -99,6 +107,10 @@ def main():
     parser.add_argument("--folds", type=int, default=6)
     parser.add_argument("--epochs", type=int, default=10)
     parser.add_argument("--columns", type=int, default=49)
+    parser.add_argument("--fields", help="folder of finished edge fields")
+    parser.add_argument("--caution", type=float, default=0.38)
+    parser.add_argument("--min-size", type=float, default=8)
+    parser.add_argument("--plain", action="store_true", help="judge outlines before their refinement")
     parser.add_argument("--table")
     parser.add_argument("--keep", action="store_true", help="use the candidates exported before")
     args = parser.parse_args()
@@ -119,11 +131,11 @@ def main():
         write_table(args.table, numbers, ["Written by vision/training/train_score.py; do not edit.",
                     f"{sum(len(r) for k in rows for r in rows[k])} candidates of {len(items)} labelled photographs."])
 
-    def fold_file(kind, k):
-        return os.path.join(args.work, f"{kind}_{folds[k]}_of_{args.folds}.bin")
+    def left_out(k):
+        score_file = os.path.join(args.work, f"score_{folds[k]}_of_{args.folds}.bin")
+        return judge(args, items[k], k, field_of(args, items[k], folds[k]), score_file)
 
-    report("left out (field and score never saw the picture)", items, list(pool.map(
-        lambda k: judge(args, items[k], k, fold_file("field", k), fold_file("score", k)), range(len(items)))))
+    report("left out (field and score never saw the picture)", items, list(pool.map(left_out, range(len(items)))))
     all_field, all_score = (os.path.join(args.work, n) for n in ("field_all.bin", "score_all.bin"))
     if os.path.exists(all_field):
         report("resubstitution (trained on the same pictures)", items, list(pool.map(
