@@ -189,6 +189,14 @@ glm::dmat4 copy_matrix(const CopyReaders& readers, std::size_t i) {
     return placed(translation, rotation, scale);
 }
 
+void add_placement(const tinygltf::Node& node, std::size_t mesh, const glm::dmat4& world,
+                   LoadedGltf& out) {
+    for (int i = 0; i < 16; ++i)
+        if (!std::isfinite(world[i / 4][i % 4]))
+            fail<InvalidInput>("node ", node.name, " stands at a place that is no number");
+    out.placements.push_back({node.name, mesh, world});
+}
+
 void place_node(const Model& model, const tinygltf::Node& node, const glm::dmat4& world,
                 LoadedGltf& out, Budget& budget) {
     if (node.mesh < 0)
@@ -199,13 +207,13 @@ void place_node(const Model& model, const tinygltf::Node& node, const glm::dmat4
                            out.meshes.size());
     if (!node.extensions.contains(gltf::kInstancing)) {
         budget.spend(&Budget::placements, 1, "placed meshes");
-        out.placements.push_back({node.name, mesh, world});
+        add_placement(node, mesh, world, out);
         return;
     }
     const CopyReaders readers = open_copies(model, node);
     budget.spend(&Budget::placements, readers.count, "placed meshes");
     for (std::size_t i = 0; i < readers.count; ++i)
-        out.placements.push_back({node.name, mesh, world * copy_matrix(readers, i)});
+        add_placement(node, mesh, world * copy_matrix(readers, i), out);
 }
 
 }  // namespace

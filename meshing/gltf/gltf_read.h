@@ -24,9 +24,9 @@ struct GltfLimits {
 
 /// One place where a mesh is seen.
 struct GltfPlacement {
-    std::string node;      ///< Name of the node; copies share it.
-    std::size_t mesh = 0;  ///< Index into the meshes.
-    glm::dmat4 world_from_mesh{1.0};
+    std::string node;                 ///< Name of the node; copies share it.
+    std::size_t mesh = 0;             ///< Index into the meshes.
+    glm::dmat4 world_from_mesh{1.0};  ///< Finite.
 };
 
 /// The geometry of a GLB file; materials and pictures are passed over.

@@ -1,4 +1,5 @@
 #include "base/whole_file.h"
+#include "meshing/gltf/gltf_write.h"
 #include "vision/data/rockdata_text.h"
 #include "vision/data/rocks_json.h"
 #include "vision/image_io.h"
@@ -62,6 +63,23 @@ vision::RockSet rocks(std::size_t n) {
     return set;
 }
 
+// A tetrahedron with and without copies, packed and plain.
+void glb_seeds(const fs::path& folder) {
+    fs::create_directories(folder);
+    meshing::GltfScene scene;
+    scene.name = "seed";
+    scene.meshes.push_back({"stone",
+                            {{{0, 1, 0}, {1, 0, 0}, {-1, 0, 1}, {-1, 0, -1}},
+                             {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {0, 0, -1}},
+                             {{0, 0}, {1, 0}, {0, 1}, {1, 1}},
+                             {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}}});
+    scene.nodes.push_back({"one", 0, {}, {}, {}, {{"confidence", 0.5}}});
+    write_staged_file(folder / "plain.glb", meshing::encode_glb(scene));
+    scene.nodes.push_back({"many", 0, {}, {{}, {{1, 0, 0}}}, {}, {}});
+    write_staged_file(folder / "copies.glb", meshing::encode_glb(scene));
+    write_staged_file(folder / "packed.glb", meshing::encode_glb(scene, {.quantise = true}));
+}
+
 }  // namespace
 
 int main(int n_words, char** words) {
@@ -70,6 +88,7 @@ int main(int n_words, char** words) {
     const fs::path folder = words[1];
     image_seeds(folder / "image");
     label_seeds(folder / "labels");
+    glb_seeds(folder / "glb");
     fs::create_directories(folder / "rocks_json");
     fs::create_directories(folder / "rocks_text");
     for (const std::size_t n : {std::size_t{0}, std::size_t{1}, std::size_t{3}}) {

@@ -129,6 +129,10 @@ TEST(GltfReadErrors, SayWhatIsWrongWithTheFile) {
     message(test::edited(good, "\"buffers\":[{", "\"buffers\":[{\"uri\":\"/etc/passwd\","), "");
     message(test::edited(good, "\"nodes\":[0,1]", "\"nodes\":[0,0]"), "reached twice");
     message(test::edited(good, "\"nodes\":[0,1]", "\"nodes\":[0,7]"), "does not exist");
+    std::string huge = "\"matrix\":[1.7e308";
+    for (int i = 1; i < 16; ++i)
+        huge += ",1.7e308";
+    message(test::edited(good, "\"mesh\":0", huge + "],\"mesh\":0"), "a place that is no number");
 }
 
 TEST(GltfReadErrors, LimitsHold) {
