@@ -32,16 +32,22 @@ bool has_border(const RegionNode& node) {
 
 std::vector<Candidate> shortlist(const RegionHierarchy& hierarchy, const RegionIndex& index,
                                  const EdgeField& field, const std::vector<RegionScore>& scores,
-                                 double smooth_px) {
+                                 const CandidateOptions& options) {
+    const auto& nodes = hierarchy.tree.nodes;
+    const double least_area = 0.9 * 0.25 * std::numbers::pi * options.min_size * options.min_size;
     std::vector<Candidate> list;
     for (std::size_t i = 0; i < scores.size(); ++i)
-        if (scores[i].match >= kLeastMatch && has_border(hierarchy.tree.nodes[i]))
+        if (scores[i].match >= kLeastMatch && nodes[i].pixels.area >= least_area &&
+            has_border(nodes[i]))
             list.push_back({static_cast<int>(i), {}, {}});
+    const auto contexts = region_contexts(hierarchy.tree, scores);
     parallel_for_each_index(0, list.size(), 16, [&](std::size_t i) {
         Candidate& c = list[i];
-        c.outline = region_outline(index, hierarchy.tree.nodes[static_cast<std::size_t>(c.region)],
-                                   c.region, smooth_px, Precision::Draft);
-        c.features = candidate_features(hierarchy.tree, c.region, c.outline, field);
+        const auto region = static_cast<std::size_t>(c.region);
+        c.outline =
+            region_outline(index, nodes[region], c.region, options.smooth, Precision::Draft);
+        c.features =
+            candidate_features(hierarchy.tree, c.region, c.outline, field, contexts[region]);
     });
     return list;
 }
@@ -65,11 +71,10 @@ std::vector<Outline> CandidateOutlineFinder::find(const Photo& photo,
                                                   const EdgeField& given) const {
     EdgeField completed;
     const EdgeField& field = complete_field(photo, given, completed);
-    const RegionHierarchy hierarchy = region_hierarchy(photo, field);
-    const double least_area = 0.25 * std::numbers::pi * options_.min_size * options_.min_size;
-    const auto first = score_regions(hierarchy.tree, 0.9 * least_area, score_->region);
+    const RegionHierarchy hierarchy = region_hierarchy(photo, field, score_->hierarchy);
+    const auto first = score_regions(hierarchy.tree, score_->region);
     const RegionIndex index(hierarchy);
-    auto candidates = shortlist(hierarchy, index, field, first, options_.smooth);
+    auto candidates = shortlist(hierarchy, index, field, first, options_);
     std::vector<CandidateFeatures> features;
     std::ranges::transform(candidates, std::back_inserter(features), &Candidate::features);
     const auto scores = score_candidates(features, score_->outline);

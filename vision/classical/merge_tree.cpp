@@ -12,9 +12,13 @@ struct Contact {
     int a = -1;  // -1 once the contact is gone
     int b = -1;
     BorderStats border;
+    float pass = 0;
 };
 
-void add_side(BorderStats& stats, float strength) {
+constexpr float kStandsOut = 0.15F;  // least height of a peak over its pass
+
+void add_side(BorderStats& stats, float strength, float depth) {
+    stats.depth += depth;
     stats.length += 1;
     stats.sum += strength;
     stats.weak += strength < 0.25F ? 1.0F : 0.0F;
@@ -26,6 +30,7 @@ void subtract_twice(BorderStats& stats, const BorderStats& o) {
     stats.sum -= 2 * o.sum;
     stats.weak -= 2 * o.weak;
     stats.middling -= 2 * o.middling;
+    stats.depth -= 2 * o.depth;
 }
 
 void add_pixel(AreaStats& s, int x, int y, const EdgeField& field, float luma) {
@@ -47,13 +52,13 @@ void add_pixel(AreaStats& s, int x, int y, const EdgeField& field, float luma) {
 // Contacts between basins, found by a key of the two numbers, kept in order of first sight.
 class Contacts {
 public:
-    BorderStats& between(int a, int b) {
+    Contact& between(int a, int b) {
         const auto [low, high] = std::minmax(a, b);
         const auto key = static_cast<std::uint64_t>(low) << 32U | static_cast<std::uint32_t>(high);
         const auto [at, fresh] = index_.try_emplace(key, list.size());
         if (fresh)
             list.push_back({low, high, {}});
-        return list[at->second].border;
+        return list[at->second];
     }
 
     std::vector<Contact> list;
@@ -120,14 +125,18 @@ private:
         if (a == b)
             return;
         const float strength = std::max(field_.boundary(x, y), field_.boundary(u, v));
+        const float depth = std::min(field_.distance(x, y), field_.distance(u, v));
         for (const int label : {a, b})
             if (label != kNoBasin) {
-                add_side(node(label).outer, strength);
+                add_side(node(label).outer, strength, depth);
                 if (a == kNoBasin || b == kNoBasin)
-                    add_side(node(label).open, strength);
+                    add_side(node(label).open, strength, depth);
             }
-        if (a != kNoBasin && b != kNoBasin)
-            add_side(contacts_.between(a, b), strength);
+        if (a != kNoBasin && b != kNoBasin) {
+            Contact& contact = contacts_.between(a, b);
+            add_side(contact.border, strength, depth);
+            contact.pass = std::max(contact.pass, depth);
+        }
     }
 
     RegionNode& node(int i) { return tree_.nodes[static_cast<std::size_t>(i)]; }
@@ -138,7 +147,7 @@ private:
     }
 
     void unite(std::size_t contact, float height) {
-        const auto [a, b, border] = contacts_.list[contact];
+        const auto [a, b, border, pass] = contacts_.list[contact];
         const int c = static_cast<int>(tree_.nodes.size());
         tree_.nodes.push_back(node(a));
         RegionNode& whole = tree_.nodes.back();
@@ -146,6 +155,10 @@ private:
         whole.left = a;
         whole.right = b;
         whole.height = height;
+        whole.pass = pass;
+        const float stands = std::min(whole.pixels.deepest, other.pixels.deepest) - pass;
+        whole.split = std::max({whole.split, other.split, stands});
+        whole.peaks += other.peaks - (stands < kStandsOut ? 1 : 0);
         whole.pixels += other.pixels;
         whole.outer += other.outer;
         subtract_twice(whole.outer, border);
@@ -172,11 +185,12 @@ private:
                 const int neighbour = contact.a == part ? contact.b : contact.a;
                 std::size_t& twin = seen_[static_cast<std::size_t>(neighbour)];
                 if (twin == kNone) {
-                    contact = {c, neighbour, contact.border};
+                    contact = {c, neighbour, contact.border, contact.pass};
                     twin = i;
                     kept.push_back(i);
                 } else {
                     contacts_.list[twin].border += contact.border;
+                    contacts_.list[twin].pass = std::max(contacts_.list[twin].pass, contact.pass);
                     contact.a = -1;
                     push(twin);
                 }
@@ -206,6 +220,7 @@ BorderStats& BorderStats::operator+=(const BorderStats& o) {
     sum += o.sum;
     weak += o.weak;
     middling += o.middling;
+    depth += o.depth;
     return *this;
 }
 

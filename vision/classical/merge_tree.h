@@ -14,6 +14,7 @@ struct BorderStats {
     float sum = 0;       ///< Of the boundary channel, the stronger of the two pixels of a side.
     float weak = 0;      ///< Sides below 0.25.
     float middling = 0;  ///< Sides below 0.5.
+    float depth = 0;     ///< Of the distance channel, the lesser of the two pixels of a side.
 
     BorderStats& operator+=(const BorderStats& o);
     float mean() const { return length > 0 ? sum / length : 0.0F; }
@@ -36,12 +37,16 @@ struct RegionNode {
     int right = -1;
     int parent = -1;   ///< -1 at a root.
     float height = 0;  ///< Mean boundary along the border that the union removed.
+    float pass = 0;    ///< Greatest depth of a side of that border: 0 if it is a true one.
     AreaStats pixels;
     BorderStats outer;    ///< Whole border.
     BorderStats open;     ///< Part of it against pixels that belong to no basin.
     BorderStats removed;  ///< All borders removed so far within.
     float frame = 0;      ///< Sides on the picture's edge.
     float strongest = 0;  ///< Highest union within.
+    float split = 0;      ///< Of the unions within, the most that the lesser peak of the distance
+                          ///< channel stood above the pass: high if these are two rocks.
+    int peaks = 1;        ///< Peaks of the distance channel that stand out above their passes.
 };
 
 /// Hierarchy of regions: basins first, then unions in the order they were made.

@@ -45,6 +45,7 @@ std::array<float, kRegionFeatures> region_features(const MergeTree& tree, int in
         leaf ? r : at(at(r.left).pixels.area < at(r.right).pixels.area ? r.right : r.left);
     const bool root = r.parent < 0;
     const RegionNode& parent = root ? r : at(r.parent);
+    const RegionNode& sibling = root ? r : at(parent.left == index ? parent.right : parent.left);
     const double length = r.outer.length + r.frame;
     const double mean_luma = p.luma / p.area;
     const double inner = r.removed.length;
@@ -79,6 +80,18 @@ std::array<float, kRegionFeatures> region_features(const MergeTree& tree, int in
         share(large.pixels.luma, large.pixels.area) - share(small.pixels.luma, small.pixels.area),
         share(parent.pixels.luma, parent.pixels.area) - mean_luma,
         shape_of(parent.pixels).ellipse,
+        share(r.outer.depth, r.outer.length),
+        share(r.removed.depth, inner),
+        r.pass,
+        leaf ? 0.0 : std::min(small.pixels.deepest, large.pixels.deepest) - r.pass,
+        r.split,
+        std::log(static_cast<double>(r.peaks)),
+        root ? 1.0 : std::min(p.deepest, sibling.pixels.deepest) - parent.pass,
+        root ? 0.0 : parent.pass,
+        root ? 0.0 : parent.split,
+        std::log(sibling.pixels.area / p.area),
+        share(sibling.pixels.inside, sibling.pixels.area),
+        sibling.outer.mean(),
     };
     std::array<float, kRegionFeatures> features;
     std::transform(values.begin(), values.end(), features.begin(),

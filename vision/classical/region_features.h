@@ -6,7 +6,7 @@
 
 namespace scree::vision {
 
-inline constexpr int kRegionFeatures = 30;
+inline constexpr int kRegionFeatures = 42;
 
 /// What the score of a region is estimated from. Sizes enter only as logarithms; brightness only
 /// as contrast.

@@ -6,7 +6,7 @@ namespace scree::vision {
 
 /// How the hierarchy of regions is cut from an edge field.
 struct HierarchyOptions {
-    double inside = 0.4;   ///< Least inside value of a pixel that may belong to a rock.
+    double inside = 0.3;   ///< Least inside value of a pixel that may belong to a rock.
     double smooth = 1.0;   ///< Width of the blur before the basins are sought, pixels.
     double depth = 0.5;    ///< Weight of the distance channel in the relief.
     double highest = 0.9;  ///< Borders stronger than this are never removed.

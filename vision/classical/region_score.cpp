@@ -1,5 +1,6 @@
 #include "vision/classical/region_score.h"
 
+#include "base/error.h"
 #include "base/parallel.h"
 #include "vision/classical/field_model.h"
 
@@ -42,9 +43,21 @@ std::array<RegionScore, kMlpBlock> score_block(const Mlp& model, int n, Features
 }  // namespace
 
 ScoreModel read_score_model(std::span<const double> numbers) {
+    if (numbers.empty() || !(numbers[0] > 0.0 && numbers[0] < 1.0))
+        fail<InvalidInput>("a score model must begin with its least inside value, in (0, 1)");
     ScoreModel model;
+    model.hierarchy.inside = numbers[0];
+    numbers = numbers.subspan(1);
     model.region = read_mlp(numbers);
     model.outline = read_mlp(numbers);
+    if (model.region.n_in() != kRegionFeatures || model.outline.n_in() != kCandidateFeatures)
+        fail<InvalidInput>("the score's networks read ", model.region.n_in(), " and ",
+                           model.outline.n_in(), " values, must read ", kRegionFeatures, " and ",
+                           kCandidateFeatures);
+    for (const Mlp* network : {&model.region, &model.outline})
+        if (network->n_out() != static_cast<int>(kOutputs))
+            fail<InvalidInput>("a network of the score gives ", network->n_out(),
+                               " values, must give ", kOutputs);
     return model;
 }
 
@@ -53,10 +66,10 @@ const ScoreModel& trained_score_model() {
     return model;
 }
 
-std::vector<RegionScore> score_regions(const MergeTree& tree, double least_area, const Mlp& model) {
+std::vector<RegionScore> score_regions(const MergeTree& tree, const Mlp& model) {
     std::vector<int> regions;
     for (std::size_t i = 0; i < tree.nodes.size(); ++i)
-        if (tree.nodes[i].pixels.area >= least_area)
+        if (tree.nodes[i].pixels.area >= kLeastScoredArea)
             regions.push_back(static_cast<int>(i));
     std::vector<RegionScore> scores(tree.nodes.size());
     parallel_for(0, regions.size(), kMlpBlock, [&](std::size_t first, std::size_t last) {
@@ -71,12 +84,13 @@ std::vector<RegionScore> score_regions(const MergeTree& tree, double least_area,
 }
 
 CandidateFeatures candidate_features(const MergeTree& tree, int region, const Outline& outline,
-                                     const EdgeField& field) {
+                                     const EdgeField& field, const ContextFeatures& context) {
     CandidateFeatures features;
     const auto of_region = region_features(tree, region);
     const auto of_outline = outline_features(outline, field);
-    std::copy(of_region.begin(), of_region.end(), features.begin());
-    std::copy(of_outline.begin(), of_outline.end(), features.begin() + kRegionFeatures);
+    auto to = std::copy(of_region.begin(), of_region.end(), features.begin());
+    to = std::copy(of_outline.begin(), of_outline.end(), to);
+    std::copy(context.begin(), context.end(), to);
     return features;
 }
 
@@ -84,7 +98,7 @@ std::vector<RegionScore> score_candidates(std::span<const CandidateFeatures> can
                                           const Mlp& model) {
     std::vector<RegionScore> scores(candidates.size());
     parallel_for(0, candidates.size(), kMlpBlock, [&](std::size_t first, std::size_t last) {
-        const auto block = score_block<kRegionFeatures + kOutlineFeatures>(
+        const auto block = score_block<kCandidateFeatures>(
             model, static_cast<int>(last - first),
             [&](int k) { return candidates[first + static_cast<std::size_t>(k)]; });
         std::copy_n(block.begin(), last - first,

@@ -1,10 +1,12 @@
 // Export every candidate region of a photograph with its best overlap, for train_score.py.
 //
-// usage: export_candidates RAW WIDTH HEIGHT FIELD LABELS OUT
+// usage: export_candidates RAW WIDTH HEIGHT FIELD LABELS OUT INSIDE
 //   RAW     8-bit RGB, row by row
 //   FIELD   float32 planes of an edge field (.f32) or numbers of the classical networks
 //   LABELS  uint16, row by row, 0 = background
-//   OUT     float32, a row for each region: overlap, label, left, right, parent, features
+//   OUT     float32, a row for each region: overlap, label, left, right, parent, then its features
+//           and those of its outline; those of the context need a first score and are left out
+//   INSIDE  least inside value of a pixel that may belong to a rock
 #include "vision/classical/region_outline.h"
 #include "vision/classical/region_score.h"
 #include "vision/training/field_source.h"
@@ -43,21 +45,25 @@ Truth compare(const RegionHierarchy& hierarchy, const std::vector<std::uint16_t>
     return truth;
 }
 
+using Features = std::array<float, kRegionFeatures + kOutlineFeatures>;
+
 // Regions too small to be judged keep their places, with features of zero.
-CandidateFeatures features_of(const RegionHierarchy& hierarchy, const RegionIndex& index, int i,
-                              const EdgeField& field) {
-    constexpr double kLeastArea = 35;
+Features features_of(const RegionHierarchy& hierarchy, const RegionIndex& index, int i,
+                     const EdgeField& field) {
     const RegionNode& node = hierarchy.tree.nodes[static_cast<std::size_t>(i)];
-    if (node.pixels.area < kLeastArea)
-        return {};
-    return candidate_features(hierarchy.tree, i,
-                              region_outline(index, node, i, 1.5, Precision::Draft), field);
+    Features features{};
+    if (node.pixels.area < kLeastScoredArea)
+        return features;
+    const auto all = candidate_features(
+        hierarchy.tree, i, region_outline(index, node, i, 1.5, Precision::Draft), field, {});
+    std::copy_n(all.begin(), features.size(), features.begin());
+    return features;
 }
 
 void run(char** arg) {
     const Photo photo = training::read_raw(arg[1], arg[2], arg[3]);
     const EdgeField field = training::read_field(photo, arg[4]);
-    const RegionHierarchy hierarchy = region_hierarchy(photo, field);
+    const RegionHierarchy hierarchy = region_hierarchy(photo, field, {.inside = std::stod(arg[7])});
     const RegionIndex index(hierarchy);
     const auto& nodes = hierarchy.tree.nodes;
     const Truth truth = compare(hierarchy, training::read_all<std::uint16_t>(arg[5]));
@@ -84,8 +90,8 @@ void run(char** arg) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 7) {
-        std::cerr << "usage: export_candidates RAW WIDTH HEIGHT FIELD LABELS OUT\n";
+    if (argc != 8) {
+        std::cerr << "usage: export_candidates RAW WIDTH HEIGHT FIELD LABELS OUT INSIDE\n";
         return 2;
     }
     try {

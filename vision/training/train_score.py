@@ -20,7 +20,9 @@ import numpy as np
 from common import Network, fold_of, pictures, read_pair, score, write_table
 
 HEAD = 5          # overlap, label, left, right, parent
-REGION_FEATURES = 30
+REGION_FEATURES = 42
+OUTLINE_FEATURES = 14
+COLUMNS = HEAD + REGION_FEATURES + OUTLINE_FEATURES
 LEAST_AREA = 35   # pixels
 SCALES = (1.0,)
 
@@ -49,32 +51,70 @@ def field_of(args, item, fold):
 
 
 def candidates(args, item, k, fold, scale):
-    """Features and overlap of the candidates of one picture, seen by the fold that never saw it."""
+    """All regions of one picture with features and overlap, from a field that never saw it."""
     stem = stem_of(args, k, scale)
     if not args.keep:
         _, labels = prepare(args, item, k, scale)
         subprocess.run([os.path.join(args.tools, "export_candidates"), stem + ".raw", str(labels.shape[1]),
-                        str(labels.shape[0]), field_of(args, item, fold), stem + ".labels", stem + ".candidates"], check=True)
-    rows = np.fromfile(stem + ".candidates", np.float32).reshape(-1, args.columns)
-    return rows[rows[:, HEAD] > np.log(LEAST_AREA)]
+                        str(labels.shape[0]), field_of(args, item, fold), stem + ".labels", stem + ".candidates",
+                        str(args.inside)], check=True)
+    return np.fromfile(stem + ".candidates", np.float32).reshape(-1, COLUMNS)
 
 
-def fit(rows, columns, epochs, hidden):
+def large(rows):
+    return rows[:, HEAD] > np.log(LEAST_AREA) - 1e-6
+
+
+def context(rows, score):
+    """How every region stands among its fragments and wholes: vision/classical/region_context.cpp."""
+    n, caution = len(rows), 0.38
+    left, right, parent = (rows[:, c].astype(int) for c in (2, 3, 4))
+    match, overlap = score[:, 0], score[:, 2]
+    worth = np.maximum(0, 0.5 * (match + overlap) - caution)
+    fragments, best, within, around = (np.zeros(n) for _ in range(4))
+    for i in range(n):
+        if left[i] >= 0:
+            a, b = left[i], right[i]
+            fragments[i] = best[a] + best[b]
+            within[i] = max(within[a], within[b], match[a], match[b])
+        best[i] = max(worth[i], fragments[i])
+    for i in range(n - 1, -1, -1):
+        if parent[i] >= 0:
+            around[i] = max(around[parent[i]], worth[parent[i]] - fragments[parent[i]])
+    has = parent >= 0
+    other = np.where(left[parent] == np.arange(n), right[parent], left[parent])
+    return np.stack([match, overlap, fragments, around, np.where(has, match[parent], 0),
+                     np.where(has, match[other], 0), within], 1).astype(np.float32)
+
+
+def fit(rows, columns, epochs, hidden, weight, seed):
     overlap = rows[:, :1]
-    net = Network([len(columns), *hidden, 3], 5)
+    net = Network([len(columns), *hidden, 3], seed)
     net.train(rows[:, columns], np.concatenate([overlap > 0.5, overlap > 0.7, overlap], 1).astype(np.float32),
-              np.ones((len(rows), 3), np.float32), epochs, 4e-3, 5, batch=1024)
+              np.repeat(weight[:, None], 3, 1), epochs, 4e-3, seed, batch=1024)
     return net
 
 
-def train(args, rows):
-    """The first network sees every region, the second those that pass it, with their outlines."""
-    rows = np.concatenate(rows)
+def weights(pictures):
+    """Rows of pictures with few count for more: by the root of how many there are."""
+    each = [np.full(len(r), len(r) ** -0.5, np.float32) for r in pictures]
+    all_rows = np.concatenate(each)
+    return all_rows / all_rows.mean()
+
+
+def train(args, pictures):
+    """The first network sees every region; the second those that pass it, with outline and context."""
     first = np.arange(HEAD, HEAD + REGION_FEATURES)
-    region = fit(rows, first, args.epochs, (24, 16))
-    passed = region.predict(rows[:, first])[:, 0] > 0.05
-    outline = fit(rows[passed], np.arange(HEAD, rows.shape[1]), 2 * args.epochs, (32, 16))
-    return np.concatenate([region.numbers(), outline.numbers()])
+    seen = [rows[large(rows)] for rows in pictures]
+    region = fit(np.concatenate(seen), first, args.epochs, (24, 16), weights(seen), args.seed)
+    passed = []
+    for rows in pictures:
+        score = np.zeros((len(rows), 3))
+        score[large(rows)] = region.predict(rows[large(rows)][:, first])
+        passed.append(np.hstack([rows, context(rows, score)])[score[:, 0] > 0.05])
+    outline = fit(np.concatenate(passed), np.arange(HEAD, passed[0].shape[1]), 2 * args.epochs, (32, 16),
+                  weights(passed), args.seed)
+    return np.concatenate([np.float32([args.inside]), region.numbers(), outline.numbers()])
 
 
 def judge(args, item, k, field, score_file):
@@ -106,8 +146,9 @@ def main():
     parser.add_argument("work")
     parser.add_argument("--folds", type=int, default=6)
     parser.add_argument("--epochs", type=int, default=10)
-    parser.add_argument("--columns", type=int, default=49)
+    parser.add_argument("--seed", type=int, default=5)
     parser.add_argument("--fields", help="folder of finished edge fields")
+    parser.add_argument("--inside", type=float, default=0.3, help="least inside value of a rock's pixel")
     parser.add_argument("--caution", type=float, default=0.38)
     parser.add_argument("--min-size", type=float, default=8)
     parser.add_argument("--plain", action="store_true", help="judge outlines before their refinement")
@@ -129,7 +170,7 @@ def main():
     numbers.tofile(os.path.join(args.work, "score_all.bin"))
     if args.table:
         write_table(args.table, numbers, ["Written by vision/training/train_score.py; do not edit.",
-                    f"{sum(len(r) for k in rows for r in rows[k])} candidates of {len(items)} labelled photographs."])
+                    f"{sum(int(large(r).sum()) for k in rows for r in rows[k])} candidates of {len(items)} labelled photographs."])
 
     def left_out(k):
         score_file = os.path.join(args.work, f"score_{folds[k]}_of_{args.folds}.bin")

@@ -104,6 +104,31 @@ TEST_P(Tree, StrongBordersStay) {
 }
 INSTANTIATE_TEST_SUITE_P(Seeds, Tree, testing::Range(0U, 6U));
 
+// Two basins side by side whose distance channel peaks in each and falls to `pass` between them.
+MergeTree pair(float pass) {
+    FloatRaster distance(20, 8);
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 20; ++x)
+            distance(x, y) = x == 9 || x == 10 ? pass : x == 4 || x == 15 ? 0.9F : 0.5F;
+    BasinMap basins{Raster<std::int32_t>(20, 8), 2};
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 20; ++x)
+            basins.labels(x, y) = x < 10 ? 0 : 1;
+    const EdgeField field{FloatRaster(20, 8, 0.4F), FloatRaster(20, 8, 0.9F), distance};
+    return build_merge_tree(basins, field, FloatRaster(20, 8), 1.0F);
+}
+
+TEST(MergeTree, TellsPeaksOfTheDistanceChannelApart) {
+    const RegionNode two = pair(0.1F).nodes.back();
+    EXPECT_FLOAT_EQ(two.pass, 0.1F);
+    EXPECT_FLOAT_EQ(two.split, 0.8F);
+    EXPECT_EQ(two.peaks, 2);
+    EXPECT_NEAR(two.removed.depth / two.removed.length, 0.1, 1e-6);
+    const RegionNode one = pair(0.85F).nodes.back();
+    EXPECT_EQ(one.peaks, 1);
+    EXPECT_NEAR(one.split, 0.05, 1e-6);
+}
+
 TEST(MergeTree, OfNoBasinsIsEmpty) {
     Scene scene = lattice(0);
     scene.basins = {Raster<std::int32_t>(48, 40, kNoBasin), 0};

@@ -1,6 +1,10 @@
 #include "vision/classical/region_score.h"
 
+#include "base/error.h"
+
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -36,12 +40,16 @@ TEST(RegionScore, AClearBorderIsWorthMoreThanAFaintOne) {
     const ScoreModel& model = trained_score_model();
     EdgeField clear_field, faint_field;
     const MergeTree clear = disc(0.95F, clear_field), faint = disc(0.15F, faint_field);
-    const float good = score_regions(clear, 50, model.region)[0].match;
+    const float good = score_regions(clear, model.region)[0].match;
     EXPECT_GT(good, 0.5F);
-    EXPECT_GT(good, score_regions(faint, 50, model.region)[0].match);
+    EXPECT_GT(good, score_regions(faint, model.region)[0].match);
 
-    const CandidateFeatures both[] = {candidate_features(clear, 0, circle(), clear_field),
-                                      candidate_features(faint, 0, circle(), faint_field)};
+    const auto features_of = [&](const MergeTree& tree, const EdgeField& field) {
+        const auto first = score_regions(tree, model.region);
+        return candidate_features(tree, 0, circle(), field, region_contexts(tree, first)[0]);
+    };
+    const CandidateFeatures both[] = {features_of(clear, clear_field),
+                                      features_of(faint, faint_field)};
     const auto again = score_candidates(both, model.outline);
     EXPECT_GT(again[0].match, 0.5F);
     EXPECT_GT(again[0].match, again[1].match);
@@ -49,13 +57,33 @@ TEST(RegionScore, AClearBorderIsWorthMoreThanAFaintOne) {
 }
 
 TEST(RegionScore, SmallRegionsGetNone) {
-    EdgeField field;
-    EXPECT_EQ(score_regions(disc(0.9F, field), 5000, trained_score_model().region)[0].match, 0.0F);
+    EdgeField field{FloatRaster(9, 9), FloatRaster(9, 9, 0.9F), FloatRaster(9, 9, 0.5F)};
+    BasinMap basins{Raster<std::int32_t>(9, 9, kNoBasin), 1};
+    for (int i = 0; i < static_cast<int>(kLeastScoredArea) - 1; ++i)
+        basins.labels(i % 7, i / 7) = 0;
+    const auto tree = build_merge_tree(basins, field, FloatRaster(9, 9), 1.0F);
+    EXPECT_EQ(score_regions(tree, trained_score_model().region)[0].match, 0.0F);
 }
 
 TEST(RegionScore, BothNetworksFitTheirFeatures) {
     EXPECT_EQ(trained_score_model().region.n_in(), kRegionFeatures);
-    EXPECT_EQ(trained_score_model().outline.n_in(), kRegionFeatures + kOutlineFeatures);
+    EXPECT_EQ(trained_score_model().outline.n_in(), kCandidateFeatures);
+}
+
+TEST(RegionScore, TablesThatDoNotFitAreRefused) {
+    const auto message = [](const std::vector<double>& numbers) -> std::string {
+        try {
+            read_score_model(numbers);
+        } catch (const InvalidInput& error) {
+            return error.what();
+        }
+        return {};
+    };
+    EXPECT_EQ(message({}), "a score model must begin with its least inside value, in (0, 1)");
+    EXPECT_EQ(message({7.0, 1.0, 2.0, 1.0}), message({}));
+    EXPECT_EQ(message({0.3, 1, 2, 1, 0.5, 0.5, 0, 1, 1, 1, 0.5, 0}),
+              "the score's networks read 2 and 1 values, must read " +
+                  std::to_string(kRegionFeatures) + " and " + std::to_string(kCandidateFeatures));
 }
 
 }  // namespace
