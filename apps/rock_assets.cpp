@@ -111,6 +111,13 @@ void build_meshes(Workshop& shop) {
     }
 }
 
+// The finest level is the mesh in the GPU's order: files are written of it as it is.
+void build_chains(Workshop& shop) {
+    shop.chains = meshing::build_lod_chains(shop.meshes);
+    for (std::size_t i = 0; i < shop.meshes.size(); ++i)
+        shop.meshes[i].mesh = shop.chains[i][0].mesh;
+}
+
 void write_preview(const Workshop& shop) {
     const meshing::GroundRegion region = meshing::region_of(shop.set);
     meshing::ViewScene scene;
@@ -124,9 +131,9 @@ void write_preview(const Workshop& shop) {
         view.textured.empty() ? view.clay : meshing::side_by_side(view.textured, view.clay));
 }
 
-void write_glb(const meshing::GltfScene& scene, const fs::path& path,
+void write_glb(meshing::GltfScene scene, const fs::path& path,
                const meshing::GltfWriteOptions& options) {
-    write_staged_file(path, meshing::encode_glb(scene, options));
+    write_staged_file(path, meshing::encode_glb(std::move(scene), options));
 }
 
 std::string level_name(std::size_t level) {
@@ -137,7 +144,7 @@ void write_rocks(const Workshop& shop) {
     write_glb(shop.options.msft_lod
                   ? meshing::rock_lods_scene(shop.set, shop.meshes, shop.chains, shop.texture)
                   : meshing::rock_scene(shop.set, shop.meshes, shop.texture),
-              shop.staged.at("rocks.glb"), {.quantise = shop.options.quantise});
+              shop.staged.at("rocks.glb"), {.quantise = shop.options.quantise, .reorder = false});
 }
 
 // Seen from further away, a level needs half the texture of the one before.
@@ -147,7 +154,8 @@ void write_level(const Workshop& shop, std::size_t level) {
         texture =
             vision::encode_jpeg(meshing::reduced_photo(*shop.photo, 1 << level), kTextureQuality);
     write_glb(meshing::rock_lod_scene(shop.set, shop.meshes, shop.chains, level, texture),
-              shop.staged.at(level_name(level)), {.quantise = shop.options.quantise});
+              shop.staged.at(level_name(level)),
+              {.quantise = shop.options.quantise, .reorder = false});
 }
 
 // Whoever reads the instancing extension reads quantised vertices too, so those are packed anyway.
@@ -157,7 +165,7 @@ void write_patch(const Workshop& shop) {
     meshing::GltfScene scene = meshing::patch_scene(shop.set, shop.meshes, patch);
     if (shop.photo != nullptr)
         meshing::use_texture_atlas(scene, *shop.photo);
-    write_glb(scene, shop.staged.at("patch.glb"),
+    write_glb(std::move(scene), shop.staged.at("patch.glb"),
               {.quantise = shop.options.quantise || !shop.options.plain_nodes,
                .instancing = !shop.options.plain_nodes});
 }
@@ -174,7 +182,7 @@ std::vector<Step> first_steps(Workshop& shop) {
     steps.push_back({"heights", [&] { shop.heights = meshing::bake_displacement(shop.set); }});
     steps.push_back({"meshes", [&] {
                          build_meshes(shop);
-                         shop.chains = meshing::build_lod_chains(shop.meshes);
+                         build_chains(shop);
                      }});
     if (shop.photo != nullptr && shop.has_rocks())
         steps.push_back(

@@ -32,7 +32,7 @@ tinygltf::Accessor accessor_of(int type, int component, std::size_t count, bool 
     return accessor;
 }
 
-void close_section(tinygltf::Model& model, const Section& section) {
+void close_section(tinygltf::Model& model, Section& section) {
     if (section.bytes.empty())
         return;
     std::vector<unsigned char>& data = model.buffers[0].data;
@@ -50,6 +50,7 @@ void close_section(tinygltf::Model& model, const Section& section) {
         model.accessors[static_cast<std::size_t>(accessor)].bufferView =
             static_cast<int>(model.bufferViews.size());
     model.bufferViews.push_back(view);
+    section.bytes = {};
 }
 
 Sections open_sections(bool quantise) {

@@ -32,8 +32,9 @@ tinygltf::Accessor accessor_of(int type, int component, std::size_t count, bool 
 int add_accessor(tinygltf::Model& model, Section& section, const std::vector<std::uint8_t>& bytes,
                  tinygltf::Accessor accessor);
 
-/// Append the section to the model's buffer as a bufferView of its own, unless it is empty.
+/// Append the section to the model's buffer as a bufferView of its own, unless it is empty; its
+/// bytes are given back.
 /// @throw InvalidInput  the buffer would pass 2 GiB.
-void close_section(tinygltf::Model& model, const Section& section);
+void close_section(tinygltf::Model& model, Section& section);
 
 }  // namespace scree::meshing::gltf

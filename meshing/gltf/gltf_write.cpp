@@ -10,6 +10,7 @@
 #include <cstring>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include <glm/geometric.hpp>
 #include <tiny_gltf.h>
@@ -79,10 +80,11 @@ tinygltf::Primitive add_primitive(Model& model, Sections& sections, const Encode
     return primitive;
 }
 
-std::vector<EncodedMesh> encode_meshes(const GltfScene& scene, const GltfWriteOptions& options) {
+// Takes the meshes out of the scene one by one, so that they never lie in memory twice.
+std::vector<EncodedMesh> encode_meshes(GltfScene& scene, const GltfWriteOptions& options) {
     std::vector<EncodedMesh> encoded(scene.meshes.size());
     parallel_for_each_index(0, encoded.size(), 1, [&](std::size_t i) {
-        encoded[i] = gltf::encode_mesh(scene.meshes[i].geometry,
+        encoded[i] = gltf::encode_mesh(std::move(scene.meshes[i].geometry),
                                        {options.quantise, options.reorder, !scene.texture.empty()});
     });
     return encoded;
@@ -272,21 +274,98 @@ void declare_extensions(Model& model, const Context& context) {
         declare(kLod, false);
 }
 
-std::vector<std::uint8_t> serialised(const Model& model) {
+void append_word(std::vector<std::uint8_t>& bytes, std::size_t word) {
+    for (int shift = 0; shift < 32; shift += 8)
+        bytes.push_back(static_cast<std::uint8_t>(word >> shift));
+}
+
+// The JSON of the model, as if its buffer had so many bytes.
+std::string json_of(Model& model, std::size_t n_bytes) {
+    constexpr std::string_view kOne = R"("buffers":[{"byteLength":1}])";
+    if (n_bytes > 0)
+        model.buffers[0].data.assign(1, 0);
+    else
+        model.buffers.clear();
     std::ostringstream stream;
     tinygltf::TinyGLTF writer;
     if (!writer.WriteGltfSceneToStream(&model, stream, false, true))
         fail<InvalidInput>("the scene cannot be written as binary glTF");
-    const std::string_view text = stream.view();
-    return {text.begin(), text.end()};
+    const std::string_view glb = stream.view();
+    std::uint32_t length = 0;
+    std::memcpy(&length, glb.data() + 12, sizeof length);
+    std::string json(glb.substr(20, length));
+    if (n_bytes > 0)  // quotes in names are escaped, so this stands in one place only
+        json.replace(json.find(kOne) + kOne.size() - 3, 1, std::to_string(n_bytes));
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+    return json;
+}
+
+// Container, JSON, bytes. The writer of the JSON would copy the bytes three times, so it sees none.
+std::vector<std::uint8_t> serialised(Model& model) {
+    constexpr std::size_t kJson = 0x4E4F534A;
+    constexpr std::size_t kBinary = 0x004E4942;
+    const std::vector<unsigned char> binary = std::exchange(model.buffers[0].data, {});
+    const std::string json = json_of(model, binary.size());
+    std::vector<std::uint8_t> glb = {'g', 'l', 'T', 'F', 2, 0, 0, 0};
+    const std::size_t size = 20 + json.size() + (binary.empty() ? 0 : 8 + binary.size());
+    glb.reserve(size);
+    append_word(glb, size);
+    append_word(glb, json.size());
+    append_word(glb, kJson);
+    glb.insert(glb.end(), json.begin(), json.end());
+    if (binary.empty())
+        return glb;
+    append_word(glb, binary.size());
+    append_word(glb, kBinary);
+    glb.insert(glb.end(), binary.begin(), binary.end());
+    return glb;
+}
+
+// Room for all meshes at once: growing bit by bit would take twice the memory on the way.
+void reserve_sections(Sections& sections, Model& model, const std::vector<EncodedMesh>& encoded) {
+    std::size_t positions = 0;
+    std::size_t normals = 0;
+    std::size_t texcoords = 0;
+    std::size_t wide_texcoords = 0;
+    std::size_t indices = 0;
+    std::size_t wide_indices = 0;
+    constexpr std::size_t kPadding = 3;
+    for (const EncodedMesh& mesh : encoded) {
+        positions += mesh.positions.size() + kPadding;
+        normals += mesh.normals.size() + kPadding;
+        (mesh.coded_texcoords ? texcoords : wide_texcoords) += mesh.texcoords.size() + kPadding;
+        (mesh.wide_indices ? wide_indices : indices) += mesh.indices.size() + kPadding;
+    }
+    sections.positions.bytes.reserve(positions);
+    sections.normals.bytes.reserve(normals);
+    sections.texcoords.bytes.reserve(texcoords);
+    sections.wide_texcoords.bytes.reserve(wide_texcoords);
+    sections.indices.bytes.reserve(indices);
+    sections.wide_indices.bytes.reserve(wide_indices);
+    model.buffers[0].data.reserve(model.buffers[0].data.size() + positions + normals + texcoords +
+                                  wide_texcoords + indices + wide_indices);
+}
+
+// Moves the meshes' bytes into the sections, and those into the model's buffer.
+void add_meshes(Model& model, Sections& sections, const Context& context,
+                std::vector<EncodedMesh>& encoded) {
+    reserve_sections(sections, model, encoded);
+    for (std::size_t i = 0; i < encoded.size(); ++i) {
+        tinygltf::Mesh mesh;
+        mesh.name = context.scene.meshes[i].name;
+        mesh.primitives.push_back(
+            add_primitive(model, sections, encoded[i], context.options.quantise));
+        model.meshes.push_back(std::move(mesh));
+        encoded[i].release();
+    }
 }
 
 }  // namespace
 
-std::vector<std::uint8_t> encode_glb(const GltfScene& scene, const GltfWriteOptions& options) {
+std::vector<std::uint8_t> encode_glb(GltfScene scene, const GltfWriteOptions& options) {
     check(options);
     check_scene(scene);
-    const std::vector<EncodedMesh> encoded = encode_meshes(scene, options);
+    std::vector<EncodedMesh> encoded = encode_meshes(scene, options);
     const Context context{scene, options, encoded};
     Model model;
     model.asset.version = "2.0";
@@ -295,21 +374,14 @@ std::vector<std::uint8_t> encode_glb(const GltfScene& scene, const GltfWriteOpti
     if (!scene.meshes.empty())
         add_material(model, scene);
     Sections sections = gltf::open_sections(options.quantise);
-    for (std::size_t i = 0; i < encoded.size(); ++i) {
-        tinygltf::Mesh mesh;
-        mesh.name = scene.meshes[i].name;
-        mesh.primitives.push_back(add_primitive(model, sections, encoded[i], options.quantise));
-        model.meshes.push_back(std::move(mesh));
-    }
+    add_meshes(model, sections, context, encoded);
     add_nodes(model, sections, context);
-    for (const Section* section :
+    for (Section* section :
          {&sections.positions, &sections.normals, &sections.texcoords, &sections.wide_texcoords,
           &sections.indices, &sections.wide_indices, &sections.instances})
         close_section(model, *section);
     add_scene(model, scene);
     declare_extensions(model, context);
-    if (model.buffers[0].data.empty())
-        model.buffers.clear();
     return serialised(model);
 }
 

@@ -98,18 +98,22 @@ void encode_indices(const TriMesh& mesh, EncodedMesh& out) {
 
 }  // namespace
 
-EncodedMesh encode_mesh(const TriMesh& mesh, const EncodingOptions& options) {
-    TriMesh ordered = mesh;
+void EncodedMesh::release() {
+    for (std::vector<std::uint8_t>* bytes : {&positions, &normals, &texcoords, &indices})
+        *bytes = {};
+}
+
+EncodedMesh encode_mesh(TriMesh mesh, const EncodingOptions& options) {
     if (options.reorder)
-        optimise_for_gpu(ordered);
+        optimise_for_gpu(mesh);
     EncodedMesh out;
-    out.n_vertices = ordered.positions.size();
-    out.n_indices = 3 * ordered.triangles.size();
-    encode_positions(ordered, options.quantise, out);
-    encode_normals(ordered, options.quantise, out);
+    out.n_vertices = mesh.positions.size();
+    out.n_indices = 3 * mesh.triangles.size();
+    encode_positions(mesh, options.quantise, out);
+    encode_normals(mesh, options.quantise, out);
     if (options.texcoords)
-        encode_texcoords(ordered, options.quantise, out);
-    encode_indices(ordered, out);
+        encode_texcoords(mesh, options.quantise, out);
+    encode_indices(mesh, out);
     return out;
 }
 

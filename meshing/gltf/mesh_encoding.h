@@ -22,6 +22,8 @@ struct EncodedMesh {
     glm::dvec3 low{0.0};                  ///< Least stored position, component by component.
     glm::dvec3 high{0.0};                 ///< Greatest.
     double scale = 1.0;                   ///< Metres that a stored position of 1 stands for.
+
+    void release();  ///< Give the bytes back; numbers stay.
 };
 
 struct EncodingOptions {
@@ -31,6 +33,6 @@ struct EncodingOptions {
 };
 
 /// @pre check_mesh() passes and there is a triangle.
-EncodedMesh encode_mesh(const TriMesh& mesh, const EncodingOptions& options);
+EncodedMesh encode_mesh(TriMesh mesh, const EncodingOptions& options);
 
 }  // namespace scree::meshing::gltf

@@ -28,19 +28,30 @@ struct Side {
     bool same_edge(const Side& other) const { return low == other.low && high == other.high; }
 };
 
+// By lower place, then higher one, then corner. Few sides share a lower place, so they are dealt
+// out to it first.
 std::vector<Side> sorted_sides(const TriMesh& mesh) {
-    std::vector<Side> sides;
-    sides.reserve(3 * mesh.triangles.size());
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        for (std::uint32_t k = 0; k < 3; ++k) {
-            const std::uint32_t a = mesh.triangles[t][static_cast<int>(k)];
-            const std::uint32_t b = mesh.triangles[t][static_cast<int>((k + 1) % 3)];
-            sides.push_back({std::min(a, b), std::max(a, b), 3 * t + k, a < b});
-        }
-    }
-    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-        return std::tie(a.low, a.high, a.corner) < std::tie(b.low, b.high, b.corner);
-    });
+    const std::size_t n_sides = 3 * mesh.triangles.size();
+    const auto side = [&](std::uint32_t corner) {
+        const glm::uvec3& t = mesh.triangles[corner / 3];
+        const std::uint32_t a = t[static_cast<int>(corner % 3)];
+        const std::uint32_t b = t[static_cast<int>((corner + 1) % 3)];
+        return Side{std::min(a, b), std::max(a, b), corner, a < b};
+    };
+    std::vector<std::uint32_t> end(mesh.positions.size() + 1, 0);
+    for (std::uint32_t c = 0; c < n_sides; ++c)
+        ++end[side(c).low + 1];
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    std::vector<Side> sides(n_sides);
+    for (std::uint32_t c = 0; c < n_sides; ++c)
+        sides[end[side(c).low]++] = side(c);
+    std::size_t first = 0;
+    for (std::size_t place = 0; place < mesh.positions.size(); first = end[place++])
+        std::sort(sides.begin() + static_cast<std::ptrdiff_t>(first),
+                  sides.begin() + static_cast<std::ptrdiff_t>(end[place]),
+                  [](const Side& a, const Side& b) {
+                      return std::tie(a.high, a.corner) < std::tie(b.high, b.corner);
+                  });
     return sides;
 }
 
