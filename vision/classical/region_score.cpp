@@ -15,6 +15,10 @@ constexpr double kScoreNumbers[] = {
 #include "vision/classical/score_weights.inc"
 };
 
+constexpr double kLearnedScoreNumbers[] = {
+#include "vision/classical/learned_score_weights.inc"
+};
+
 constexpr std::size_t kOutputs = 3;  // overlap above 0.5, above 0.7, the overlap itself
 
 // Score up to kMlpBlock candidates; `features(k)` gives those of the k-th.
@@ -63,6 +67,11 @@ ScoreModel read_score_model(std::span<const double> numbers) {
 
 const ScoreModel& trained_score_model() {
     static const ScoreModel model = read_score_model(kScoreNumbers);
+    return model;
+}
+
+const ScoreModel& learned_score_model() {
+    static const ScoreModel model = read_score_model(kLearnedScoreNumbers);
     return model;
 }
 

@@ -21,8 +21,11 @@ struct ScoreModel {
     Mlp outline;
 };
 
-/// The model that training/train_score.py wrote.
+/// The model that training/train_score.py wrote for the fields of the classical detector.
 const ScoreModel& trained_score_model();
+
+/// The model that it wrote for the fields of the learned network.
+const ScoreModel& learned_score_model();
 
 /// Read the hierarchy's least inside value, then both networks by read_mlp().
 /// @throw InvalidInput  a number is missing, or a network does not fit its features.

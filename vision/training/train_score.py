@@ -5,7 +5,8 @@ usage: train_score.py DATA TOOLS WORK --folds K [--fields DIR] [--table OUT.inc]
 
 TOOLS is the folder of export_candidates and segment. A picture's candidates come from the edge
 field of the fold that left it out: WORK/field_F_of_K.bin, by train_field.py, or with --fields the
-finished planes DIR/<folder>_<stem>.f32 (float32: boundary, inside, distance). For each fold a
+finished planes DIR/<folder>_<stem>.f32 (float32: boundary, inside, distance; a picture without them
+is left out). For each fold a
 score is trained on the other pictures (WORK/score_F_of_K.bin) and the left-out pictures are
 segmented with both and scored; then one on all pictures is written: WORK/score_all.bin, the table.
 """
@@ -155,7 +156,7 @@ def main():
     parser.add_argument("--table")
     parser.add_argument("--keep", action="store_true", help="use the candidates exported before")
     args = parser.parse_args()
-    items = pictures(args.data)
+    items = [i for i in pictures(args.data) if not args.fields or os.path.exists(field_of(args, i, 0))]
     folds = fold_of(items, args.folds)
     pool = ThreadPoolExecutor(2)
     rows = {}

@@ -36,8 +36,10 @@ Outline circle() {
     return o;
 }
 
-TEST(RegionScore, AClearBorderIsWorthMoreThanAFaintOne) {
-    const ScoreModel& model = trained_score_model();
+class Scores : public testing::TestWithParam<const ScoreModel*> {};
+
+TEST_P(Scores, AClearBorderIsWorthMoreThanAFaintOne) {
+    const ScoreModel& model = *GetParam();
     EdgeField clear_field, faint_field;
     const MergeTree clear = disc(0.95F, clear_field), faint = disc(0.15F, faint_field);
     const float good = score_regions(clear, model.region)[0].match;
@@ -55,6 +57,9 @@ TEST(RegionScore, AClearBorderIsWorthMoreThanAFaintOne) {
     EXPECT_GT(again[0].match, again[1].match);
     EXPECT_GT(again[0].overlap, again[1].overlap);
 }
+
+INSTANTIATE_TEST_SUITE_P(Models, Scores,
+                         testing::Values(&trained_score_model(), &learned_score_model()));
 
 TEST(RegionScore, SmallRegionsGetNone) {
     EdgeField field{FloatRaster(9, 9), FloatRaster(9, 9, 0.9F), FloatRaster(9, 9, 0.5F)};
