@@ -211,6 +211,15 @@ void Arguments::flag(std::string_view name, std::int64_t& value, const FieldInfo
                        });
 }
 
+void Arguments::flag(std::string_view name, std::filesystem::path& value, const FieldInfo& info) {
+    state_->value_flag(name, "FILE", std::string(info.help),
+                       [&value, name](const std::string& text) {
+                           if (text.empty())
+                               fail<UsageError>("--", name, " needs a file, got ''");
+                           value = text;
+                       });
+}
+
 void Arguments::words_flag(std::string_view name, std::span<const std::string_view> words,
                            std::size_t now, std::function<void(std::size_t)> set,
                            const FieldInfo& info) {

@@ -71,6 +71,7 @@ public:
     void flag(std::string_view name, int& value, const FieldInfo& info);
     void flag(std::string_view name, double& value, const FieldInfo& info);
     void flag(std::string_view name, std::int64_t& value, const FieldInfo& info);
+    void flag(std::string_view name, std::filesystem::path& value, const FieldInfo& info);
 
     template <class Enum>
     requires std::is_enum_v<Enum>

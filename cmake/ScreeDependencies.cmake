@@ -1,7 +1,7 @@
 # Every package is named once. Modules link the imported targets privately.
 find_package(glm REQUIRED)
 find_package(TBB REQUIRED)
-find_package(OpenCV REQUIRED COMPONENTS core imgproc)
+find_package(OpenCV REQUIRED COMPONENTS core imgproc dnn)
 find_package(Ceres REQUIRED)
 find_package(OpenImageIO REQUIRED)
 find_package(OpenMesh REQUIRED)

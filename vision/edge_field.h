@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/progress.h"
 #include "base/raster.h"
 
 #include <string>
@@ -26,7 +27,8 @@ public:
     /// @pre   The photograph has at least one pixel.
     /// @post  Every filled channel has the photograph's size and finite values in [0, 1].
     /// @throw InvalidInput  the photograph is empty.
-    virtual EdgeField detect(const Photo& photo) const = 0;
+    /// @throw Cancelled     the listener asked for a stop.
+    virtual EdgeField detect(const Photo& photo, Progress* progress = nullptr) const = 0;
 };
 
 }  // namespace scree::vision

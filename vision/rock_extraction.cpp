@@ -4,6 +4,7 @@
 #include "base/stopwatch.h"
 #include "vision/classical/candidate_outline_finder.h"
 #include "vision/classical/classical_edge_detector.h"
+#include "vision/learned/learned_edge_detector.h"
 #include "vision/thesis/ray_outline_finder.h"
 #include "vision/thesis/thesis_edge_detector.h"
 #include "vision/thesis/thesis_method.h"
@@ -26,9 +27,17 @@ Chain make_chain(const ExtractionOptions& options) {
         return {std::make_unique<ThesisEdgeDetector>(thesis),
                 std::make_unique<RayOutlineFinder>(thesis)};
     }
-    return {
-        std::make_unique<ClassicalEdgeDetector>(),
-        std::make_unique<CandidateOutlineFinder>(CandidateOptions{.min_size = options.min_size})};
+    const CandidateOptions candidates{.min_size = options.min_size};
+    if (options.method == Method::Learned) {
+        // The finder takes a table of scores as its second argument, should one be fitted to this
+        // field alone.
+        return {std::make_unique<LearnedEdgeDetector>(
+                    LearnedOptions{},
+                    options.model.empty() ? shipped_network() : read_network(options.model)),
+                std::make_unique<CandidateOutlineFinder>(candidates)};
+    }
+    return {std::make_unique<ClassicalEdgeDetector>(),
+            std::make_unique<CandidateOutlineFinder>(candidates)};
 }
 
 std::vector<Rock> unrefined(std::vector<Outline> outlines) {
@@ -69,7 +78,7 @@ RockExtraction extract_rocks(const Photo& photo, const EdgeDetector& detector,
     RockExtraction result;
     Stopwatch watch;
     report_progress(progress, "finding edges", 0.0);
-    const EdgeField field = detector.detect(photo);
+    const EdgeField field = detector.detect(photo, progress);
     result.edge_seconds = watch.lap();
     report_progress(progress, "finding outlines", 0.0);
     std::vector<Outline> outlines = finder.find(photo, field);
@@ -97,6 +106,9 @@ RockExtraction extract_rocks(const Photo& photo, const EdgeDetector& detector,
 RockExtraction extract_rocks(const Photo& photo, const ExtractionOptions& options,
                              Progress* progress) {
     check(options);
+    if (!options.model.empty() && options.method != Method::Learned)
+        fail<InvalidOption>("model is ", options.model.string(),
+                            ", which only the method learned can use; leave it out or choose that");
     const Chain chain = make_chain(options);
     RockExtraction result = extract_rocks(photo, *chain.detector, *chain.finder, options, progress);
     if (options.keep_stages && options.method == Method::Thesis)

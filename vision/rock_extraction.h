@@ -5,6 +5,7 @@
 #include "vision/refine/refine_outlines.h"
 #include "vision/rock_data.h"
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,9 +17,10 @@ namespace scree::vision {
 enum class Method {
     Classical,  ///< Statistical edge field, competing candidates; for real photographs.
     Thesis,     ///< The source's level slicing and ray marching.
+    Learned,    ///< Edge field of a convolutional network, competing candidates.
 };
 
-inline constexpr std::string_view kMethodNames[] = {"classical", "thesis"};
+inline constexpr std::string_view kMethodNames[] = {"classical", "thesis", "learned"};
 
 constexpr std::span<const std::string_view> names_of(Method) {
     return kMethodNames;
@@ -28,6 +30,7 @@ struct ExtractionOptions {
     Method method = Method::Classical;
     Reading reading = Reading::Sound;  ///< Of the source's method; the classical one has no other.
     double min_size = 8.0;             ///< Least equivalent diameter of a rock, px.
+    std::filesystem::path model = {};  ///< Network of the learned method; empty: the one built in.
     bool refine = true;                ///< Fit a generalised ellipsoid to every outline.
     bool keep_stages = false;          ///< Keep a picture of every stage.
 };
@@ -40,6 +43,8 @@ void describe(ExtractionOptions& o, Visitor&& field) {
     field("min-size", o.min_size,
           FieldInfo{
               .min = 3, .max = 10000, .unit = "px", .help = "least equivalent diameter of a rock"});
+    field("model", o.model,
+          FieldInfo{.help = "ONNX network of the learned method, instead of the one built in"});
     field("refine", o.refine, FieldInfo{.help = "fit a generalised ellipsoid to every outline"});
     field("debug-stages", o.keep_stages, FieldInfo{.help = "keep a picture of every stage"});
 }
@@ -58,8 +63,9 @@ struct RockExtraction {
 /// Find the rocks of a photograph: edge field, outlines, refinement.
 ///
 /// @post  Rocks are ordered by decreasing confidence; no equivalent diameter is under min_size.
-/// @throw InvalidOption  a value is outside the range that describe() gives.
-/// @throw InvalidInput   the photograph is empty.
+/// @throw InvalidOption  a value is outside the range that describe() gives, or `model` is given
+///                       with another method than the learned one.
+/// @throw InvalidInput   the photograph is empty, or `model` is no outline network.
 /// @throw Cancelled      the listener asked for a stop.
 RockExtraction extract_rocks(const Photo& photo, const ExtractionOptions& options = {},
                              Progress* progress = nullptr);

@@ -73,10 +73,13 @@ void add_shifted(const cv::Mat& plane, const PhasedLevel& phase, float weight, c
 
 }  // namespace
 
-Context level_field(const LightLevel& level, const Context& context, const Mlp& mlp) {
+Context level_field(const LightLevel& level, const Context& context, const Mlp& mlp,
+                    const Progress* progress) {
     Context field(kChannels, FloatRaster(level.width, level.height));
     const int strips = (level.height + kStripRows - 1) / kStripRows;
     parallel_for_each_index(0, static_cast<std::size_t>(strips), 1, [&](std::size_t i) {
+        if (progress != nullptr && progress->cancelled())
+            fail<Cancelled>("stopped during finding edges");
         const int first = static_cast<int>(i) * kStripRows;
         const int last = std::min(level.height, first + kStripRows);
         fill_strip(FeatureStrip(level, context, first, last), mlp, first, last, field);
@@ -112,13 +115,14 @@ Context coarse_context(const std::vector<PhasedLevel>& phases, const FieldModel&
     return mean;
 }
 
-EdgeField ClassicalEdgeDetector::detect(const Photo& photo) const {
+EdgeField ClassicalEdgeDetector::detect(const Photo& photo, Progress* progress) const {
     LightPyramid pyramid = light_pyramid(photo);
     Context context = coarse_context(pyramid.coarse, *model_, kFineLevels);
     pyramid.coarse.clear();  // a large photograph's planes are let go as soon as they are used up
-    context = context_from(level_field(pyramid.fine[1], context, model_->levels[1]));
+    context = context_from(level_field(pyramid.fine[1], context, model_->levels[1], progress));
     pyramid.fine[1] = {};
-    Context field = level_field(pyramid.fine[0], context, model_->levels[0]);
+    report_progress(progress, "finding edges", 0.4);
+    Context field = level_field(pyramid.fine[0], context, model_->levels[0], progress);
     pyramid.fine[0] = {};
     context.clear();
     for (auto& channel : field)

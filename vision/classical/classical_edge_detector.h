@@ -16,14 +16,16 @@ public:
 
     /// @pre The photograph is not empty.
     /// @throw InvalidInput  it is.
-    EdgeField detect(const Photo& photo) const override;
+    EdgeField detect(const Photo& photo, Progress* progress = nullptr) const override;
 
 private:
     const FieldModel* model_;
 };
 
 /// What a network says at one level: planes boundary, inside, distance without margin.
-Context level_field(const LightLevel& level, const Context& context, const Mlp& mlp);
+/// @param progress  Who may ask for a stop; may be null.
+Context level_field(const LightLevel& level, const Context& context, const Mlp& mlp,
+                    const Progress* progress = nullptr);
 
 /// What the networks of a level and of all coarser ones say, averaged over the phases of each and
 /// brought to the next finer level with the margin of its planes; empty without phases.

@@ -57,7 +57,7 @@ CannyDetector::CannyDetector(const BaselineOptions& options) : options_(options)
     check(options);
 }
 
-EdgeField CannyDetector::detect(const Photo& photo) const {
+EdgeField CannyDetector::detect(const Photo& photo, Progress*) const {
     return field_of(canny_edges(working_photo(photo, options_), options_), photo);
 }
 
@@ -65,7 +65,7 @@ WatershedDetector::WatershedDetector(const BaselineOptions& options) : options_(
     check(options);
 }
 
-EdgeField WatershedDetector::detect(const Photo& photo) const {
+EdgeField WatershedDetector::detect(const Photo& photo, Progress*) const {
     const Photo working = working_photo(photo, options_);
     cv::Mat regions = seeds_between(canny_edges(working, options_), options_.least_depth);
     const cv::Mat colours(working.height(), working.width(), CV_8UC3,

@@ -27,7 +27,7 @@ void describe(BaselineOptions& o, Visitor&& field) {
 class CannyDetector final : public EdgeDetector {
 public:
     explicit CannyDetector(const BaselineOptions& options = {});
-    EdgeField detect(const Photo& photo) const override;
+    EdgeField detect(const Photo& photo, Progress* progress = nullptr) const override;
 
 private:
     BaselineOptions options_;
@@ -37,7 +37,7 @@ private:
 class WatershedDetector final : public EdgeDetector {
 public:
     explicit WatershedDetector(const BaselineOptions& options = {});
-    EdgeField detect(const Photo& photo) const override;
+    EdgeField detect(const Photo& photo, Progress* progress = nullptr) const override;
 
 private:
     BaselineOptions options_;

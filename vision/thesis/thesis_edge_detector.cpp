@@ -27,7 +27,8 @@ ThesisEdgeDetector::ThesisEdgeDetector(const ThesisOptions& options) : options_(
     check_thesis(options);
 }
 
-EdgeField ThesisEdgeDetector::detect(const Photo& photo) const {
+EdgeField ThesisEdgeDetector::detect(const Photo& photo, Progress* progress) const {
+    report_progress(progress, "finding edges", 0.0);
     if (photo.empty())
         fail<InvalidInput>("the photograph has no pixels, at least one is needed");
     const glm::ivec2 size{photo.width(), photo.height()};

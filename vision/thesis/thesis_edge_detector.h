@@ -29,7 +29,7 @@ EdgeStages detect_thesis_edges(const Photo& photo, const ThesisOptions& options)
 class ThesisEdgeDetector final : public EdgeDetector {
 public:
     explicit ThesisEdgeDetector(const ThesisOptions& options = {});
-    EdgeField detect(const Photo& photo) const override;
+    EdgeField detect(const Photo& photo, Progress* progress = nullptr) const override;
 
 private:
     ThesisOptions options_;

@@ -174,7 +174,7 @@ public:
 
 class DrawnDetector final : public EdgeDetector {
 public:
-    EdgeField detect(const Photo& photo) const override {
+    EdgeField detect(const Photo& photo, Progress*) const override {
         Mask mask(photo.width(), photo.height());
         test::draw_circle(mask, {photo.width() / 2.0, photo.height() / 2.0}, 20);
         EdgeField field;

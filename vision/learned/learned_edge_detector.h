@@ -1,0 +1,64 @@
+#pragma once
+
+#include "base/options.h"
+#include "vision/edge_field.h"
+#include "vision/learned/outline_network.h"
+
+#include <memory>
+
+namespace scree::vision {
+
+struct LearnedOptions {
+    int levels = 4;     ///< Most scales: the picture at 1, 1/2, 1/4, 1/8.
+    bool adapt = true;  ///< Leave a fine scale out where coarse ones show none but big rocks.
+    double full = 96;   ///< With adapt: up to this diameter a fine scale has its whole share, px.
+    double none = 160;  ///< With adapt: from this diameter on it has none and is not computed, px.
+    int tile = 1024;    ///< Longest side of what the network is given at once, px.
+    int margin = 48;    ///< Half of the least overlap of tiles, px.
+};
+
+template <class Visitor>
+void describe(LearnedOptions& o, Visitor&& field) {
+    field("levels", o.levels, FieldInfo{.min = 1, .max = 4, .help = "most scales to look at"});
+    field("adapt", o.adapt, FieldInfo{.help = "leave fine scales out where all rocks are big"});
+    field("full", o.full,
+          FieldInfo{.min = 8, .max = 1e4, .unit = "px", .help = "rocks that need the fine scale"});
+    field("none", o.none,
+          FieldInfo{.min = 9, .max = 2e4, .unit = "px", .help = "rocks that do not, above full"});
+    field("tile", o.tile,
+          FieldInfo{.min = 768, .max = 4096, .unit = "px", .help = "longest side of a tile"});
+    field("margin", o.margin,
+          FieldInfo{.min = 16, .max = 96, .unit = "px", .help = "half of the overlap of tiles"});
+}
+
+/// Edge field from a small convolutional network run at several scales; fills all channels.
+///
+/// The picture at 1, 1/2 and 1/4, and at 1/8 from 2400 px on, is cut into tiles that overlap; a
+/// scale whose shorter side would be under 32 px is left out. The logits of all scales are fused
+/// from the coarsest to the finest: their mean, or, with `adapt`, by the size of the rocks that the
+/// coarser scales show. Beside the field itself it holds a third of the field again and the working
+/// memory of one tile, about 0.6 KB a pixel of it.
+///
+/// What lies further from a pixel than 500 px of the coarsest scale in use does not change its
+/// values; tiles change them by what the network sees beyond `margin` px, which fades out, and
+/// exactly where its reach is within half the margin. So a part of a photograph, cut out at
+/// multiples of 32 px of the coarsest scale, gives the same field away from its new sides.
+/// Same bytes for any number of threads.
+class LearnedEdgeDetector final : public EdgeDetector {
+public:
+    /// @throw InvalidOption  a value is outside the range that describe() gives, or none is not
+    ///                       above full.
+    explicit LearnedEdgeDetector(const LearnedOptions& options = {},
+                                 OutlineNetwork network = shipped_network());
+
+    /// Progress is told, and a stop heeded, at every tile.
+    /// @throw InvalidInput  the photograph is empty, or the network cannot be run.
+    /// @throw Cancelled     the listener asked for a stop.
+    EdgeField detect(const Photo& photo, Progress* progress = nullptr) const override;
+
+private:
+    LearnedOptions options_;
+    OutlineNetwork network_;
+};
+
+}  // namespace scree::vision
