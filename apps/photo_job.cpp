@@ -58,8 +58,8 @@ RockReport run_photo_job(const PhotoJob& job, Progress* progress) {
     watch.lap();
 
     OutputBatch batch;
-    report.assets =
-        write_rock_assets(found.rocks, &file.pixels, job.folder, job.assets, batch, progress);
+    report.assets = write_rock_assets(found.rocks, {&file.pixels, &found.boundary}, job.folder,
+                                      job.assets, batch, progress);
     write_stages(found, job.folder, batch, report.assets);
     report_progress(progress, "writing files", 1.0);
     batch.commit();

@@ -16,6 +16,7 @@
 #include "vision/data/rocks_json.h"
 #include "vision/data/size_plot.h"
 #include "vision/image_io.h"
+#include "vision/relief_signal.h"
 
 #include <algorithm>
 #include <atomic>
@@ -48,6 +49,7 @@ struct Step {
 struct Workshop {
     const vision::RockSet& set;
     const Photo* photo;
+    const FloatRaster* boundary;
     const fs::path& folder;
     const AssetOptions& options;
     OutputBatch& batch;
@@ -56,6 +58,7 @@ struct Workshop {
     std::vector<meshing::RockMesh> meshes = {};
     std::vector<std::uint8_t> texture = {};
     vision::HeightImage heights = {};
+    LabelMap labels = {};  // painted where the relief asks for them
     LodChains chains = {};
     AssetReport report = {};
 
@@ -176,10 +179,30 @@ void write_sizes(const Workshop& shop) {
     vision::write_png(shop.staged.at("sizes.png"), vision::draw_size_plot(curve));
 }
 
+LabelMap paint_set(const vision::RockSet& set) {
+    std::vector<vision::Outline> outlines;
+    for (const vision::Rock& rock : set.rocks)
+        outlines.push_back(rock.outline);
+    return vision::paint_labels(outlines, set.width, set.height);
+}
+
+void bake_heights(Workshop& shop) {
+    const double detail = shop.options.relief.detail;
+    if (shop.photo == nullptr || !shop.has_rocks() || detail == 0.0) {
+        shop.heights = meshing::bake_displacement(shop.set);
+        return;
+    }
+    const double radius = std::clamp(meshing::typical_radius(shop.set), 1.0, 1e5);
+    const FloatRaster signal = vision::relief_signal(
+        *shop.photo, shop.boundary != nullptr ? *shop.boundary : FloatRaster(), radius);
+    shop.labels = paint_set(shop.set);
+    shop.heights = meshing::bake_displacement(shop.set, {signal, shop.labels}, shop.options.relief);
+}
+
 // What other steps read.
 std::vector<Step> first_steps(Workshop& shop) {
     std::vector<Step> steps;
-    steps.push_back({"heights", [&] { shop.heights = meshing::bake_displacement(shop.set); }});
+    steps.push_back({"heights", [&] { bake_heights(shop); }});
     steps.push_back({"meshes", [&] {
                          build_meshes(shop);
                          build_chains(shop);
@@ -267,12 +290,9 @@ std::vector<Step> last_steps(Workshop& shop) {
                          vision::write_heights_png(path("displacement.png"), shop.heights);
                      }});
     steps.push_back({"labels", [&, path] {
-                         std::vector<vision::Outline> outlines;
-                         for (const vision::Rock& rock : shop.set.rocks)
-                             outlines.push_back(rock.outline);
-                         vision::write_labels(
-                             path("labels.png"),
-                             vision::paint_labels(outlines, shop.set.width, shop.set.height));
+                         vision::write_labels(path("labels.png"), shop.labels.empty()
+                                                                      ? paint_set(shop.set)
+                                                                      : shop.labels);
                      }});
     steps.push_back({"rocks.json", [&, path] {
                          write_staged_file(path("rocks.json"), vision::rocks_to_json(shop.set));
@@ -283,15 +303,16 @@ std::vector<Step> last_steps(Workshop& shop) {
 
 }  // namespace
 
-AssetReport write_rock_assets(const vision::RockSet& set, const Photo* photo,
+AssetReport write_rock_assets(const vision::RockSet& set, const RockPicture& picture,
                               const fs::path& folder, const AssetOptions& options,
                               OutputBatch& batch, Progress* progress) {
     check(options);
     vision::check_rock_set(set, "the set of rocks");
+    const Photo* photo = picture.photo;
     if (photo != nullptr && (photo->width() != set.width || photo->height() != set.height))
         fail<InvalidInput>("the photograph has ", photo->width(), " x ", photo->height(),
                            " pixels, its rocks were found on ", set.width, " x ", set.height);
-    Workshop shop{set, photo, folder, options, batch, progress};
+    Workshop shop{set, photo, picture.boundary, folder, options, batch, progress};
     run_steps(first_steps(shop), "building meshes", shop);
     stage_files(shop);
     run_steps(last_steps(shop), "writing files", shop);

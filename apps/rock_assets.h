@@ -4,6 +4,7 @@
 #include "base/progress.h"
 #include "base/raster.h"
 #include "base/whole_file.h"
+#include "meshing/bake/relief_bake.h"
 #include "vision/rock_data.h"
 
 #include <cstddef>
@@ -22,6 +23,7 @@ struct AssetOptions {
     bool quantise = false;     ///< Pack vertices by KHR_mesh_quantization; patch.glb always is.
     bool msft_lod = false;     ///< Put the levels of detail into rocks.glb with MSFT_lod.
     bool plain_nodes = false;  ///< Write the patch as plain nodes, for viewers without instancing.
+    meshing::ReliefOptions relief;  ///< Of the displacement map.
 };
 
 template <class Visitor>
@@ -34,7 +36,14 @@ void describe(AssetOptions& o, Visitor&& field) {
     field("msft-lod", o.msft_lod, {.help = "put levels of detail into rocks.glb with MSFT_lod"});
     field("plain-nodes", o.plain_nodes,
           {.help = "write the patch as plain nodes, for viewers without EXT_mesh_gpu_instancing"});
+    describe(o.relief, field);
 }
+
+/// The photograph that the rocks were found on, as far as it is at hand.
+struct RockPicture {
+    const Photo* photo = nullptr;           ///< Null leaves out overlay.png, textures and relief.
+    const FloatRaster* boundary = nullptr;  ///< Of its edge field; sharpens the relief.
+};
 
 /// What was made and what it took.
 struct AssetReport {
@@ -52,10 +61,9 @@ struct AssetReport {
 ///
 /// Independent files are made at the same time; the bytes do not depend on the number of threads.
 /// The files get their names when the caller commits the batch.
-/// @param photo  The photograph the rocks were found on; null leaves out overlay.png and textures.
 /// @throw InvalidInput  the set breaks check_rock_set(), or the photograph has another size.
 /// @throw IoError, InvalidOption, Cancelled
-AssetReport write_rock_assets(const vision::RockSet& set, const Photo* photo,
+AssetReport write_rock_assets(const vision::RockSet& set, const RockPicture& picture,
                               const std::filesystem::path& folder, const AssetOptions& options,
                               OutputBatch& batch, Progress* progress = nullptr);
 

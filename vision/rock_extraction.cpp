@@ -78,7 +78,7 @@ RockExtraction extract_rocks(const Photo& photo, const EdgeDetector& detector,
     RockExtraction result;
     Stopwatch watch;
     report_progress(progress, "finding edges", 0.0);
-    const EdgeField field = detector.detect(photo, progress);
+    EdgeField field = detector.detect(photo, progress);
     result.edge_seconds = watch.lap();
     report_progress(progress, "finding outlines", 0.0);
     std::vector<Outline> outlines = finder.find(photo, field);
@@ -100,6 +100,7 @@ RockExtraction extract_rocks(const Photo& photo, const EdgeDetector& detector,
     result.rocks.height = photo.height();
     if (options.keep_stages)
         keep_field(result, field);
+    result.boundary = std::move(field.boundary);
     return result;
 }
 

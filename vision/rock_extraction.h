@@ -53,6 +53,7 @@ void describe(ExtractionOptions& o, Visitor&& field) {
 struct RockExtraction {
     RockSet rocks;
     RefineReport refinement;
+    FloatRaster boundary;  ///< Of the edge field: relief_signal() reads it again.
     double edge_seconds = 0.0;
     double outline_seconds = 0.0;  ///< Without refinement.
     double refine_seconds = 0.0;

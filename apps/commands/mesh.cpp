@@ -27,8 +27,8 @@ RockReport build(const fs::path& rocks, const fs::path& photo, const fs::path& f
     report.read_seconds = watch.lap();
 
     OutputBatch batch;
-    report.assets =
-        write_rock_assets(set, photo.empty() ? nullptr : &pixels, folder, options, batch, progress);
+    report.assets = write_rock_assets(set, {photo.empty() ? nullptr : &pixels}, folder, options,
+                                      batch, progress);
     report_progress(progress, "writing files", 1.0);
     batch.commit();
     remove_stale_files(report.assets, folder);
