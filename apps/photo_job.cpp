@@ -5,7 +5,9 @@
 #include "base/whole_file.h"
 #include "vision/image_io.h"
 
+#include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace scree::apps {
 namespace {
@@ -19,6 +21,34 @@ vision::PhotoFile read_scaled(const PhotoJob& job) {
         file.metres_per_pixel = job.width_m / file.pixels.width();
     return file;
 }
+
+// Of tcmalloc, if the program is linked with it.
+extern "C" void MallocExtension_ReleaseFreeMemory() __attribute__((weak));
+
+// Gives memory back to the system between the stages of a large photograph, whose rasters the
+// allocator would keep beside the meshes that follow.
+class ThriftyProgress : public Progress {
+public:
+    explicit ThriftyProgress(Progress* listener) : listener_(listener) {}
+
+    void expect(const Photo& photo) { thrifty_ = photo.size() > kLargePhoto; }
+
+    void report(std::string_view stage, double fraction) override {
+        if (thrifty_ && stage != stage_ && MallocExtension_ReleaseFreeMemory != nullptr)
+            MallocExtension_ReleaseFreeMemory();
+        stage_ = stage;
+        if (listener_ != nullptr)
+            listener_->report(stage, fraction);
+    }
+
+    bool cancelled() const override { return listener_ != nullptr && listener_->cancelled(); }
+
+private:
+    static constexpr std::size_t kLargePhoto = 4'000'000;  // pixels
+    Progress* listener_;
+    std::string stage_;
+    bool thrifty_ = false;
+};
 
 std::string two_digits(std::size_t number) {
     std::string text = number < 10 ? "0" : "";
@@ -37,7 +67,9 @@ void write_stages(const vision::RockExtraction& found, const fs::path& folder, O
 
 }  // namespace
 
-RockReport run_photo_job(const PhotoJob& job, Progress* progress) {
+RockReport run_photo_job(const PhotoJob& job, Progress* listener) {
+    ThriftyProgress thrifty(listener);
+    Progress* const progress = &thrifty;
     Stopwatch all;
     Stopwatch watch;
     RockReport report;
@@ -45,6 +77,7 @@ RockReport run_photo_job(const PhotoJob& job, Progress* progress) {
     report.folder = job.folder;
     report_progress(progress, "reading", 0.0);
     vision::PhotoFile file = read_scaled(job);
+    thrifty.expect(file.pixels);
     check_writable(job.folder);
     report.read_seconds = watch.lap();
 

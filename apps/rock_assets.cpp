@@ -58,8 +58,10 @@ struct Workshop {
     std::vector<meshing::RockMesh> meshes = {};
     std::vector<std::uint8_t> texture = {};
     vision::HeightImage heights = {};
-    LabelMap labels = {};  // painted where the relief asks for them
-    LodChains chains = {};
+    LabelMap labels = {};   // painted where the relief asks for them
+    LodChains chains = {};  // their finest level is empty: it lies in the meshes
+    std::size_t n_levels = 0;
+    std::string lod_list = {};
     AssetReport report = {};
 
     bool has_rocks() const { return !set.rocks.empty(); }
@@ -114,11 +116,21 @@ void build_meshes(Workshop& shop) {
     }
 }
 
-// The finest level is the mesh in the GPU's order: files are written of it as it is.
+std::string level_name(std::size_t level) {
+    return "lods/rocks_lod" + std::to_string(level) + ".glb";
+}
+
+// The finest level is the mesh in the GPU's order: it takes the mesh's place.
 void build_chains(Workshop& shop) {
     shop.chains = meshing::build_lod_chains(shop.meshes);
+    shop.n_levels = meshing::deepest_level(shop.chains);
+    std::vector<std::string> files = {"rocks.glb"};
+    for (std::size_t level = 1; level < shop.n_levels; ++level)
+        files.push_back(level_name(level));
+    if (shop.has_rocks())
+        shop.lod_list = meshing::lods_json(shop.meshes, shop.chains, files);
     for (std::size_t i = 0; i < shop.meshes.size(); ++i)
-        shop.meshes[i].mesh = shop.chains[i][0].mesh;
+        shop.meshes[i].mesh = std::move(shop.chains[i][0].mesh);
 }
 
 void write_preview(const Workshop& shop) {
@@ -137,10 +149,6 @@ void write_preview(const Workshop& shop) {
 void write_glb(meshing::GltfScene scene, const fs::path& path,
                const meshing::GltfWriteOptions& options) {
     write_staged_file(path, meshing::encode_glb(std::move(scene), options));
-}
-
-std::string level_name(std::size_t level) {
-    return "lods/rocks_lod" + std::to_string(level) + ".glb";
 }
 
 void write_rocks(const Workshop& shop) {
@@ -222,7 +230,7 @@ void stage_files(Workshop& shop) {
     names.emplace_back("preview.png");
     if (shop.has_rocks()) {
         names.emplace_back("rocks.glb");
-        for (std::size_t level = 1; level < meshing::deepest_level(shop.chains); ++level)
+        for (std::size_t level = 1; level < shop.n_levels; ++level)
             names.push_back(level_name(level));
         names.emplace_back("lods.json");
         names.emplace_back("patch.glb");
@@ -237,29 +245,30 @@ void stage_files(Workshop& shop) {
         shop.stage(name);
 }
 
-void write_lod_list(const Workshop& shop) {
-    std::vector<std::string> files = {"rocks.glb"};
-    for (std::size_t level = 1; level < meshing::deepest_level(shop.chains); ++level)
-        files.push_back(level_name(level));
-    write_staged_file(shop.staged.at("lods.json"),
-                      meshing::lods_json(shop.meshes, shop.chains, files));
+// The coarsest first, and each goes when it is written: the largest file is made last, when little
+// else is held.
+void write_levels_one_by_one(Workshop& shop) {
+    for (std::size_t level = shop.n_levels; --level > 0;) {
+        write_level(shop, level);
+        if (!shop.options.msft_lod)
+            for (auto& chain : shop.chains)
+                if (level < chain.size())
+                    chain[level].mesh = {};
+    }
+    write_rocks(shop);
 }
 
-void add_mesh_steps(const Workshop& shop, std::vector<Step>& steps) {
-    const std::size_t n_levels = meshing::deepest_level(shop.chains);
-    const auto write_levels = [&shop](std::size_t first, std::size_t last) {
-        for (std::size_t level = first; level < last; ++level)
-            level == 0 ? write_rocks(shop) : write_level(shop, level);
-    };
+void add_mesh_steps(Workshop& shop, std::vector<Step>& steps) {
     if (shop.report.n_vertices > kManyVertices) {
-        steps.push_back({"rocks", [=] { write_levels(0, n_levels); }});
+        steps.push_back({"rocks", [&shop] { write_levels_one_by_one(shop); }});
     } else {
-        steps.push_back({"rocks", [=] { write_levels(0, 1); }});
-        for (std::size_t level = 1; level < n_levels; ++level)
+        steps.push_back({"rocks", [&shop] { write_rocks(shop); }});
+        for (std::size_t level = 1; level < shop.n_levels; ++level)
             steps.push_back(
-                {"lod " + std::to_string(level), [=] { write_levels(level, level + 1); }});
+                {"lod " + std::to_string(level), [&shop, level] { write_level(shop, level); }});
     }
-    steps.push_back({"lod list", [&shop] { write_lod_list(shop); }});
+    steps.push_back(
+        {"lod list", [&shop] { write_staged_file(shop.staged.at("lods.json"), shop.lod_list); }});
 }
 
 // The longest first, so that no thread waits long at the end.

@@ -59,6 +59,12 @@ const LodLevel& level_of(const std::vector<LodLevel>& chain, std::size_t level) 
     return chain[std::min(level, chain.size() - 1)];
 }
 
+// The rock's own mesh is the finest level.
+const TriMesh& mesh_of(const RockMesh& rock, const std::vector<LodLevel>& chain,
+                       std::size_t level) {
+    return level == 0 || chain.size() == 1 ? rock.mesh : level_of(chain, level).mesh;
+}
+
 GltfScene empty_scene(const vision::RockSet& set, const char* name,
                       std::vector<std::uint8_t> texture) {
     GltfScene scene;
@@ -147,7 +153,7 @@ GltfScene rock_lod_scene(const vision::RockSet& set, const std::vector<RockMesh>
     GltfScene scene = empty_scene(set, "rocks", std::move(texture));
     scene.extras.push_back({"level", static_cast<double>(level)});
     for (std::size_t i = 0; i < rocks.size(); ++i)
-        add_rock(scene, set, rocks[i], level_of(chains[i], level).mesh);
+        add_rock(scene, set, rocks[i], mesh_of(rocks[i], chains[i], level));
     return scene;
 }
 

@@ -25,7 +25,8 @@ std::string rock_name(std::size_t index);
 GltfScene rock_scene(const vision::RockSet& set, const std::vector<RockMesh>& rocks,
                      std::vector<std::uint8_t> texture = {});
 
-/// The same with each rock at `level` of its chain, or at its last if it is shorter.
+/// The same with each rock at `level` of its chain, or at its last if it is shorter. Level 0 is the
+/// rock's own mesh, whatever the chain holds there.
 /// @throw InvalidInput  there is not one chain with a level for each rock.
 GltfScene rock_lod_scene(const vision::RockSet& set, const std::vector<RockMesh>& rocks,
                          const std::vector<std::vector<LodLevel>>& chains, std::size_t level,
