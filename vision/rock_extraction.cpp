@@ -29,12 +29,10 @@ Chain make_chain(const ExtractionOptions& options) {
     }
     const CandidateOptions candidates{.min_size = options.min_size};
     if (options.method == Method::Learned) {
-        // The finder takes a table of scores as its second argument, should one be fitted to this
-        // field alone.
         return {std::make_unique<LearnedEdgeDetector>(
                     LearnedOptions{},
                     options.model.empty() ? shipped_network() : read_network(options.model)),
-                std::make_unique<CandidateOutlineFinder>(candidates)};
+                std::make_unique<CandidateOutlineFinder>(candidates, learned_score_model())};
     }
     return {std::make_unique<ClassicalEdgeDetector>(),
             std::make_unique<CandidateOutlineFinder>(candidates)};

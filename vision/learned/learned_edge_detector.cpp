@@ -2,8 +2,8 @@
 
 #include "base/error.h"
 #include "base/progress.h"
-#include "vision/learned/level_fusion.h"
 #include "vision/learned/level_picture.h"
+#include "vision/learned/scale_choice.h"
 
 #include <algorithm>
 
@@ -26,7 +26,8 @@ int levels_of(const Photo& photo, const LearnedOptions& options) {
 // Says how far the work is, counted in pixels of all levels.
 class Meter {
 public:
-    Meter(Progress* progress, const Photo& photo, int levels) : progress_(progress) {
+    Meter(Progress* progress, const Photo& photo, int levels, bool doubled)
+        : progress_(progress), all_(doubled ? 4.0 * static_cast<double>(photo.size()) : 0.0) {
         for (int level = 0; level < levels; ++level)
             all_ += static_cast<double>(photo.size()) / static_cast<double>(1U << (2 * level));
     }
@@ -40,48 +41,86 @@ public:
 
 private:
     Progress* progress_;
-    double all_ = 0.0, done_ = 0.0, a_tile_ = 0.0;
+    double all_, done_ = 0.0, a_tile_ = 0.0;
 };
 
-void add_level(const LevelPicture& level, const FineShare& share, const LearnedOptions& options,
-               NetworkRun& network, Meter& meter, LogitPlanes& fused) {
-    const int most = options.tile / kNetworkStep * kNetworkStep;
-    const auto columns = plan_tiles(level.padded.width(), most, options.margin);
-    const auto rows = plan_tiles(level.padded.height(), most, options.margin);
-    meter.begin_level(static_cast<double>(level.width) * level.height,
-                      columns.size() * rows.size());
+// Whether a scale is stored at half its size, as the doubled picture is.
+enum class Stored { AsItIs, Halved };
+
+struct Work {
+    const LearnedOptions& options;
+    NetworkRun network;
+    Meter meter;
+};
+
+void add_level(const LevelPicture& level, const FineShare& share, Stored stored, Work& work,
+               LogitPlanes& planes) {
+    const int most = work.options.tile / kNetworkStep * kNetworkStep;
+    const auto columns = plan_tiles(level.padded.width(), most, work.options.margin);
+    const auto rows = plan_tiles(level.padded.height(), most, work.options.margin);
+    work.meter.begin_level(static_cast<double>(level.width) * level.height,
+                           columns.size() * rows.size());
     std::vector<float> input, logits;
     for (std::size_t j = 0; j < rows.size(); ++j) {
         for (std::size_t i = 0; i < columns.size(); ++i) {
-            meter.next_tile();
-            if (share.nothing_in(columns[i], rows[j]))
+            work.meter.next_tile();
+            FineTile tile{columns[i], rows[j], tile_weights(columns, i), tile_weights(rows, j)};
+            if (stored == Stored::Halved)
+                tile = halved(tile);
+            if (share.nothing_in(tile.columns, tile.rows))
                 continue;
             fill_input(level, columns[i], rows[j], input);
             logits.resize(input.size() / 3 * kFieldChannels);
-            network.evaluate(input, columns[i].size, rows[j].size, logits);
-            add_tile({columns[i], rows[j], tile_weights(columns, i), tile_weights(rows, j)}, logits,
-                     share, fused);
+            work.network.evaluate(input, columns[i].size, rows[j].size, logits);
+            if (stored == Stored::Halved)
+                halve_planes(logits, columns[i].size, rows[j].size);
+            add_tile(tile, logits, share, planes);
         }
     }
 }
 
-// The mean of this level and of `n_coarser` coarser ones.
-void fuse_level(const Photo& picture, int n_coarser, const LearnedOptions& options,
-                NetworkRun& network, Meter& meter, LogitPlanes& fused) {
+LogitPlanes empty_planes(int width, int height) {
+    LogitPlanes planes;
+    planes.fill(FloatRaster(width, height));
+    return planes;
+}
+
+// A scale, with the next coarser one standing in where it is not needed.
+LogitPlanes level_planes(const Photo& picture, const LogitPlanes* coarser, Work& work) {
     const int width = picture.width(), height = picture.height();
-    FineShare share{1.0F / static_cast<float>(n_coarser + 1), {}};
-    if (n_coarser > 0 && options.adapt)
-        share = choose_share(fused, width, height, share.most, {options.full, options.none});
-    for (FloatRaster& plane : fused)
-        plane = n_coarser > 0 ? doubled(plane, width, height) : FloatRaster(width, height);
-    make_room(fused, share);
-    add_level(level_picture(picture), share, options, network, meter, fused);
+    LogitPlanes planes = empty_planes(width, height);
+    FineShare share;
+    if (coarser != nullptr && work.options.adapt) {
+        share = choose_share(*coarser, width, height, {work.options.full, work.options.none});
+        for (std::size_t i = 0; i < planes.size(); ++i)
+            planes[i] = enlarged((*coarser)[i], width, height);
+    }
+    make_room(planes, share);
+    add_level(level_picture(picture), share, Stored::AsItIs, work, planes);
+    return planes;
+}
+
+// The picture at twice its size, needed only around tiny rocks.
+LogitPlanes doubled_planes(const Photo& photo, const LogitPlanes& single, Work& work) {
+    const int width = photo.width(), height = photo.height();
+    FineShare share;
+    LogitPlanes planes = single;
+    if (work.options.adapt) {
+        const double full = 2 * work.options.tiny;  // choose_share() counts pixels twice as fine
+        share = choose_share(single, width, height, {full, 1.5 * full, false});
+    }
+    if (share.nothing_in({0, width}, {0, height}))
+        return planes;
+    make_room(planes, share);
+    add_level(level_picture(doubled(photo)), share, Stored::Halved, work, planes);
+    return planes;
 }
 
 }  // namespace
 
-LearnedEdgeDetector::LearnedEdgeDetector(const LearnedOptions& options, OutlineNetwork network)
-    : options_(options), network_(std::move(network)) {
+LearnedEdgeDetector::LearnedEdgeDetector(const LearnedOptions& options, OutlineNetwork network,
+                                         FusionModel fusion)
+    : options_(options), network_(std::move(network)), fusion_(std::move(fusion)) {
     check(options_);
     if (options_.none <= options_.full)
         fail<InvalidOption>("none is ", options_.none, " px, must be above full, which is ",
@@ -95,16 +134,17 @@ EdgeField LearnedEdgeDetector::detect(const Photo& photo, Progress* progress) co
     std::vector<Photo> coarser;
     for (int level = 1; level < n; ++level)
         coarser.push_back(halved(level == 1 ? photo : coarser.back()));
-    NetworkRun network(network_);
-    Meter meter(progress, photo, n);
-    LogitPlanes fused;
-    for (int level = n - 1; level >= 0; --level) {
-        const Photo& picture = level == 0 ? photo : coarser[static_cast<std::size_t>(level - 1)];
-        fuse_level(picture, n - 1 - level, options_, network, meter, fused);
+    Work work{options_, NetworkRun(network_), Meter(progress, photo, n, fusion_.reads_doubled)};
+    LevelStack stack;
+    stack.levels.resize(static_cast<std::size_t>(n));
+    for (auto level = static_cast<std::size_t>(n); level-- > 0;) {
+        const bool coarsest = level + 1 == stack.levels.size();
+        stack.levels[level] = level_planes(level == 0 ? photo : coarser[level - 1],
+                                           coarsest ? nullptr : &stack.levels[level + 1], work);
     }
-    for (FloatRaster& plane : fused)
-        squash(plane);
-    return {std::move(fused[0]), std::move(fused[1]), std::move(fused[2])};
+    if (fusion_.reads_doubled)
+        stack.doubled.push_back(doubled_planes(photo, stack.levels[0], work));
+    return fuse_levels(std::move(stack), fusion_);
 }
 
 }  // namespace scree::vision

@@ -2,6 +2,7 @@
 
 #include "base/options.h"
 #include "vision/edge_field.h"
+#include "vision/learned/level_fusion.h"
 #include "vision/learned/outline_network.h"
 
 #include <memory>
@@ -9,10 +10,12 @@
 namespace scree::vision {
 
 struct LearnedOptions {
-    int levels = 4;     ///< Most scales: the picture at 1, 1/2, 1/4, 1/8.
+    int levels = 4;     ///< Most scales of the picture at 1, 1/2, 1/4, 1/8.
     bool adapt = true;  ///< Leave a fine scale out where coarse ones show none but big rocks.
-    double full = 96;   ///< With adapt: up to this diameter a fine scale has its whole share, px.
-    double none = 160;  ///< With adapt: from this diameter on it has none and is not computed, px.
+    double full = 48;   ///< With adapt: rocks up to this diameter at a scale need it, px.
+    double none = 80;   ///< With adapt: from this diameter on the next coarser one will do, px.
+    double tiny = 12;   ///< Rocks up to this diameter need the picture at twice its size, px, if
+                        ///< the fusion reads that.
     int tile = 1024;    ///< Longest side of what the network is given at once, px.
     int margin = 48;    ///< Half of the least overlap of tiles, px.
 };
@@ -22,9 +25,12 @@ void describe(LearnedOptions& o, Visitor&& field) {
     field("levels", o.levels, FieldInfo{.min = 1, .max = 4, .help = "most scales to look at"});
     field("adapt", o.adapt, FieldInfo{.help = "leave fine scales out where all rocks are big"});
     field("full", o.full,
-          FieldInfo{.min = 8, .max = 1e4, .unit = "px", .help = "rocks that need the fine scale"});
+          FieldInfo{.min = 8, .max = 1e4, .unit = "px", .help = "rocks that need a scale"});
     field("none", o.none,
           FieldInfo{.min = 9, .max = 2e4, .unit = "px", .help = "rocks that do not, above full"});
+    field("tiny", o.tiny,
+          FieldInfo{
+              .min = 1, .max = 1e4, .unit = "px", .help = "rocks that need the doubled picture"});
     field("tile", o.tile,
           FieldInfo{.min = 768, .max = 4096, .unit = "px", .help = "longest side of a tile"});
     field("margin", o.margin,
@@ -33,23 +39,25 @@ void describe(LearnedOptions& o, Visitor&& field) {
 
 /// Edge field from a small convolutional network run at several scales; fills all channels.
 ///
-/// The picture at 1, 1/2 and 1/4, and at 1/8 from 2400 px on, is cut into tiles that overlap; a
-/// scale whose shorter side would be under 32 px is left out. The logits of all scales are fused
-/// from the coarsest to the finest: their mean, or, with `adapt`, by the size of the rocks that the
-/// coarser scales show. Beside the field itself it holds a third of the field again and the working
-/// memory of one tile, about 0.6 KB a pixel of it.
+/// The picture at 1, 1/2 and 1/4, and at 1/8 from 2400 px on, coarsest first, is cut into tiles
+/// that overlap; a scale whose shorter side would be under 32 px is left out. With `adapt` a scale
+/// is not computed where the coarser one shows none but big rocks; that one stands in for it, with
+/// a smooth change. The picture at twice its size is looked at only if the fusion reads it, and
+/// with `adapt` only around tiny rocks. Then fuse_levels() makes one field of all. Beside the field
+/// it holds its logits, half of them again for coarse scales, and the work of one tile, some 0.3 KB
+/// a pixel of it.
 ///
 /// What lies further from a pixel than 500 px of the coarsest scale in use does not change its
-/// values; tiles change them by what the network sees beyond `margin` px, which fades out, and
-/// exactly where its reach is within half the margin. So a part of a photograph, cut out at
-/// multiples of 32 px of the coarsest scale, gives the same field away from its new sides.
-/// Same bytes for any number of threads.
+/// values. Tiles change them by what the network sees beyond half the margin, which fades out. So a
+/// part of a photograph, cut out at multiples of 32 px of the coarsest scale, gives the same field
+/// away from its new sides. Same bytes for any number of threads.
 class LearnedEdgeDetector final : public EdgeDetector {
 public:
     /// @throw InvalidOption  a value is outside the range that describe() gives, or none is not
     ///                       above full.
     explicit LearnedEdgeDetector(const LearnedOptions& options = {},
-                                 OutlineNetwork network = shipped_network());
+                                 OutlineNetwork network = shipped_network(),
+                                 FusionModel fusion = shipped_fusion());
 
     /// Progress is told, and a stop heeded, at every tile.
     /// @throw InvalidInput  the photograph is empty, or the network cannot be run.
@@ -59,6 +67,7 @@ public:
 private:
     LearnedOptions options_;
     OutlineNetwork network_;
+    FusionModel fusion_;
 };
 
 }  // namespace scree::vision

@@ -1,6 +1,8 @@
 #include "vision/learned/level_fusion.h"
 
+#include "base/error.h"
 #include "base/parallel.h"
+#include "vision/classical/field_model.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,125 +12,140 @@
 namespace scree::vision {
 namespace {
 
-constexpr double kSizeWindow =
-    12.0;                           // standard deviation of the neighbourhood of a size, coarse px
-constexpr float kLeastRock = 0.3F;  // share of rock around a pixel for its size to be trusted
+constexpr int kStripRows = 64;  // a multiple of the coarsest scale's step
+constexpr float kMostLogit = 8.0F;
 
 cv::Mat view(const FloatRaster& raster) {
     // const_cast: OpenCV has no view of constant data; the plane is only read.
     return {raster.height(), raster.width(), CV_32FC1, const_cast<float*>(raster.data())};
 }
 
-float squashed(float logit) {
-    return 1.0F / (1.0F + std::exp(-logit));
+// Rows of a plane of `step` times as coarse a scale, enlarged linearly to the finest one.
+cv::Mat enlarged_rows(const FloatRaster& plane, int step, const cv::Rect& wanted) {
+    if (step == 1)
+        return view(plane)(wanted);
+    const int above = wanted.y > 0 ? 1 : 0;  // a row more on either side keeps the seams out
+    const int first = wanted.y / step - above;
+    const int last = std::min(plane.height(), (wanted.y + wanted.height + step - 1) / step + 1);
+    const cv::Mat part = view(plane).rowRange(first, last);
+    cv::Mat fine;
+    cv::resize(part, fine, {part.cols * step, part.rows * step}, 0, 0, cv::INTER_LINEAR);
+    return fine(cv::Rect(0, above * step, wanted.width, wanted.height));
 }
 
-// How much of the surroundings is rock, and how steeply the distance climbs on it.
-void measure_slopes(const LogitPlanes& coarse, cv::Mat& rock, cv::Mat& slope) {
-    const FloatRaster& distance = coarse[2];
-    const int width = distance.width(), height = distance.height();
-    parallel_for_each_index(0, static_cast<std::size_t>(height), 32, [&](std::size_t row) {
-        const int y = static_cast<int>(row);
-        const float* here = distance.row(y);
-        const float* above = distance.row(std::max(0, y - 1));
-        const float* below = distance.row(std::min(height - 1, y + 1));
-        for (int x = 0; x < width; ++x) {
-            const float dx =
-                squashed(here[std::min(width - 1, x + 1)]) - squashed(here[std::max(0, x - 1)]);
-            const float dy = squashed(below[x]) - squashed(above[x]);
-            const float inside = squashed(coarse[1](x, y));
-            rock.at<float>(y, x) = inside;
-            slope.at<float>(y, x) = inside * 0.5F * std::sqrt(dx * dx + dy * dy);
+// The planes that the model reads and how much coarser than the picture each is.
+struct Source {
+    const LogitPlanes* planes = nullptr;
+    int step = 1;
+};
+
+std::vector<Source> sources_of(const LevelStack& stack, const FusionModel& model) {
+    std::vector<Source> sources;
+    for (int i = 0; i < model.n_levels; ++i) {
+        const int halvings = model.reads_doubled ? i - 1 : i;
+        if (halvings < 0 && !stack.doubled.empty()) {
+            sources.push_back({stack.doubled.data(), 1});
+            continue;
         }
-    });
+        const int there = static_cast<int>(stack.levels.size()) - 1;
+        const int level = std::clamp(halvings, 0, there);
+        sources.push_back({&stack.levels[static_cast<std::size_t>(level)], 1 << level});
+    }
+    return sources;
+}
+
+void average(std::span<const float* const> inputs, int n, std::span<float* const> outputs) {
+    const std::size_t n_levels = inputs.size() / outputs.size();
+    for (std::size_t channel = 0; channel < outputs.size(); ++channel) {
+        for (int x = 0; x < n; ++x) {
+            float sum = 0.0F;
+            for (std::size_t level = 0; level < n_levels; ++level)
+                sum += inputs[level * outputs.size() + channel][x];
+            outputs[channel][x] = 1.0F / (1.0F + std::exp(-sum / static_cast<float>(n_levels)));
+        }
+    }
+}
+
+void fuse_row(const FusionModel& model, std::span<const float* const> inputs, int width,
+              std::span<float* const> outputs, MlpScratch& scratch) {
+    std::vector<const float*> in(inputs.begin(), inputs.end());
+    std::vector<float*> out(outputs.begin(), outputs.end());
+    for (int x = 0; x < width; x += kMlpBlock) {
+        const int n = std::min(kMlpBlock, width - x);
+        if (model.network.layers.empty())
+            average(in, n, out);
+        else
+            evaluate_block(model.network, in, n, out, scratch);
+        for (const float*& one : in)
+            one += n;
+        for (float*& one : out)
+            one += n;
+    }
+}
+
+void fuse_strip(const std::vector<Source>& sources, const FusionModel& model, const cv::Rect& strip,
+                EdgeField& field) {
+    std::vector<cv::Mat> rows;
+    for (const Source& source : sources) {
+        for (const FloatRaster& plane : *source.planes) {
+            rows.push_back(enlarged_rows(plane, source.step, strip).clone());
+            rows.back() = cv::min(cv::max(rows.back(), -kMostLogit), kMostLogit);
+        }
+    }
+    MlpScratch scratch;
+    std::vector<const float*> inputs(rows.size());
+    for (int y = 0; y < strip.height; ++y) {
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            inputs[i] = rows[i].ptr<float>(y);
+        const std::array<float*, kFieldChannels> outputs = {field.boundary.row(strip.y + y),
+                                                            field.inside.row(strip.y + y),
+                                                            field.distance.row(strip.y + y)};
+        fuse_row(model, inputs, strip.width, outputs, scratch);
+    }
 }
 
 }  // namespace
 
-FloatRaster doubled(const FloatRaster& coarse, int width, int height) {
-    cv::Mat twice;
-    cv::resize(view(coarse), twice, {2 * coarse.width(), 2 * coarse.height()}, 0, 0,
-               cv::INTER_LINEAR);
-    FloatRaster fine(width, height);
-    cv::Mat to = view(fine);
-    twice(cv::Rect(0, 0, width, height)).copyTo(to);
-    return fine;
+FusionModel read_fusion(std::span<const double> numbers) {
+    if (numbers.size() < 3)
+        fail<InvalidInput>("the fusion table has ", numbers.size(),
+                           " numbers, at least 3 are needed");
+    FusionModel model;
+    model.reads_doubled = numbers[0] != 0.0;
+    if (!(numbers[1] >= 1 && numbers[1] <= 4))
+        fail<InvalidInput>("the fusion table is of ", numbers[1], " scales, must be in [1, 4]");
+    model.n_levels = static_cast<int>(numbers[1]);
+    numbers = numbers.subspan(2);
+    if (numbers[0] == 0.0)
+        return model;
+    model.network = read_mlp(numbers);
+    for (std::size_t i = 1; i < model.network.layers.size(); ++i)
+        if (model.network.layers[i].n_in != model.network.layers[i - 1].n_out)
+            fail<InvalidInput>("the layers of the fusion table do not fit each other");
+    if (model.network.n_in() != kFieldChannels * model.n_levels ||
+        model.network.n_out() != kFieldChannels)
+        fail<InvalidInput>("the fusion table has ", model.network.n_in(), " inputs and ",
+                           model.network.n_out(), " outputs, must have ",
+                           kFieldChannels * model.n_levels, " and ", kFieldChannels);
+    return model;
 }
 
-bool FineShare::nothing_in(const Span& columns, const Span& rows) const {
-    if (by_place.empty())
-        return most <= 0.0F;
-    const int right = std::min(columns.end(), by_place.width());
-    for (int y = rows.begin; y < std::min(rows.end(), by_place.height()); ++y)
-        for (int x = columns.begin; x < right; ++x)
-            if (by_place(x, y) > 0.0F)
-                return false;
-    return true;
+const FusionModel& shipped_fusion() {
+    static const FusionModel model;
+    return model;
 }
 
-FineShare choose_share(const LogitPlanes& coarse, int width, int height, float most,
-                       const ScaleChoice& choice) {
-    const cv::Size size(coarse[0].width(), coarse[0].height());
-    cv::Mat rock(size, CV_32F), slope(size, CV_32F);
-    measure_slopes(coarse, rock, slope);
-    cv::GaussianBlur(rock, rock, {0, 0}, kSizeWindow, kSizeWindow, cv::BORDER_REPLICATE);
-    cv::GaussianBlur(slope, slope, {0, 0}, kSizeWindow, kSizeWindow, cv::BORDER_REPLICATE);
-    FloatRaster shares(size.width, size.height);
-    const auto full = static_cast<float>(choice.full), none = static_cast<float>(choice.none);
-    parallel_for_each_index(0, static_cast<std::size_t>(size.height), 32, [&](std::size_t row) {
-        const int y = static_cast<int>(row);
-        const auto* rock_row = rock.ptr<float>(y);
-        const auto* slope_row = slope.ptr<float>(y);
-        float* out = shares.row(y);
-        for (int x = 0; x < size.width; ++x) {
-            // Twice the half width, in pixels that are twice as fine.
-            const float diameter = 4.0F * rock_row[x] / std::max(slope_row[x], 1e-6F);
-            const float wanted = std::clamp((none - diameter) / (none - full), 0.0F, 1.0F);
-            const float unsure = std::clamp(2.0F - rock_row[x] / kLeastRock, 0.0F, 1.0F);
-            out[x] = most * std::max(wanted, unsure);
-        }
+EdgeField fuse_levels(LevelStack&& stack, const FusionModel& model) {
+    const int width = stack.levels[0][0].width(), height = stack.levels[0][0].height();
+    const std::vector<Source> sources = sources_of(stack, model);
+    EdgeField field{FloatRaster(width, height), FloatRaster(width, height),
+                    FloatRaster(width, height)};
+    const int strips = (height + kStripRows - 1) / kStripRows;
+    parallel_for_each_index(0, static_cast<std::size_t>(strips), 1, [&](std::size_t i) {
+        const int first = static_cast<int>(i) * kStripRows;
+        fuse_strip(sources, model, {0, first, width, std::min(kStripRows, height - first)}, field);
     });
-    return {most, doubled(shares, width, height)};
-}
-
-void make_room(LogitPlanes& fused, const FineShare& share) {
-    for (FloatRaster& plane : fused) {
-        const bool by_place = !share.by_place.empty();
-        parallel_for(0, plane.size(), 1 << 16, [&](std::size_t first, std::size_t last) {
-            for (std::size_t i = first; i < last; ++i)
-                plane.data()[i] *= 1.0F - (by_place ? share.by_place.data()[i] : share.most);
-        });
-    }
-}
-
-void add_tile(const FineTile& tile, std::span<const float> logits, const FineShare& share,
-              LogitPlanes& fused) {
-    const int right = std::min(tile.columns.end(), fused[0].width());
-    const int below = std::min(tile.rows.end(), fused[0].height());
-    const auto plane =
-        static_cast<std::size_t>(tile.columns.size) * static_cast<std::size_t>(tile.rows.size);
-    const bool by_place = !share.by_place.empty();
-    const auto n_rows = static_cast<std::size_t>(std::max(0, below - tile.rows.begin));
-    parallel_for_each_index(0, n_rows, 32, [&](std::size_t row) {
-        const int y = tile.rows.begin + static_cast<int>(row);
-        for (std::size_t channel = 0; channel < fused.size(); ++channel) {
-            const float* in =
-                logits.data() + channel * plane + row * static_cast<std::size_t>(tile.columns.size);
-            float* out = fused[channel].row(y);
-            for (int x = tile.columns.begin; x < right; ++x) {
-                const auto column = static_cast<std::size_t>(x - tile.columns.begin);
-                const float weight = tile.row_weights[row] * tile.column_weights[column];
-                out[x] += weight * (by_place ? share.by_place(x, y) : share.most) * in[column];
-            }
-        }
-    });
-}
-
-void squash(FloatRaster& plane) {
-    parallel_for(0, plane.size(), 1 << 14, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i)
-            plane.data()[i] = squashed(plane.data()[i]);
-    });
+    return field;
 }
 
 }  // namespace scree::vision

@@ -1,8 +1,9 @@
 #pragma once
 
 #include "base/raster.h"
+#include "vision/classical/mlp.h"
+#include "vision/edge_field.h"
 #include "vision/learned/outline_network.h"
-#include "vision/learned/tile_plan.h"
 
 #include <array>
 #include <span>
@@ -10,53 +11,37 @@
 
 namespace scree::vision {
 
-/// Logits of boundary, inside and distance at one level.
+/// Logits of boundary, inside and distance at one scale.
 using LogitPlanes = std::array<FloatRaster, kFieldChannels>;
 
-/// Share that the next finer level has in the fused field, by place; the coarser ones together
-/// have the rest.
-struct FineShare {
-    float most = 1.0F;  ///< Where `by_place` is empty.
-    FloatRaster by_place;
-
-    /// Whether it is 0 in the whole tile, so that the level need not be computed there.
-    bool nothing_in(const Span& columns, const Span& rows) const;
+/// What the network says at every scale, finest first: every scale has half the size of the one
+/// before it, rounded up.
+struct LevelStack {
+    std::vector<LogitPlanes> doubled;  ///< Of the picture at twice its size, brought to its own;
+                                       ///< one or none.
+    std::vector<LogitPlanes> levels;   ///< At 1, 1/2, 1/4 ...; at least one.
 };
 
-/// Which sizes of rocks a level is needed for, in diameters at that level, px.
-struct ScaleChoice {
-    double full = 96;   ///< Up to this size the level has its whole share.
-    double none = 160;  ///< From this size on it has none: the coarser ones see the rock as well.
+/// How the scales become one field.
+struct FusionModel {
+    bool reads_doubled = false;  ///< The first scale is the picture at twice its size.
+    int n_levels = 3;            ///< Scales that are read, finest first; coarser ones serve as
+                                 ///< stand-ins only.
+    Mlp network =
+        {};  ///< 3 inputs a scale, logits cut at 8 either way; empty: the mean of the logits.
 };
 
-/// Choose how much the next finer level counts, by the size of the rocks that the field of the
-/// coarser ones shows: on a rock the relative distance to the border climbs from 0 to 1 over its
-/// least half width, so the inverse of the mean slope is that half width. Where little rock was
-/// seen, the finer level has its whole share.
-///
-/// @param coarse  Fused logits of the coarser levels, at the size of the last of them.
-/// @param width, height  Of the finer level, at most twice the coarser one's.
-/// @param most    The whole share, 0 to 1.
-FineShare choose_share(const LogitPlanes& coarse, int width, int height, float most,
-                       const ScaleChoice& choice);
+/// The model that the library was built with.
+const FusionModel& shipped_fusion();
 
-/// Twice the size, linearly, cut to `width` x `height`.
-FloatRaster doubled(const FloatRaster& coarse, int width, int height);
+/// Read whether the doubled scale is read, the number of scales, then the network by read_mlp(); a
+/// network without layers is written as the single number 0.
+/// @throw InvalidInput  a number is missing, or the network has not 3 inputs a scale and 3 outputs.
+FusionModel read_fusion(std::span<const double> numbers);
 
-/// Leave the coarser levels their part of what will be the mean: multiply by 1 - share.
-void make_room(LogitPlanes& fused, const FineShare& share);
-
-/// Add a tile of the finer level, weighed by its share and by the weights that tiles have of one
-/// another's overlap.
-/// @param logits  kFieldChannels planes of the tile; what lies beyond the level's size is left out.
-struct FineTile {
-    Span columns, rows;
-    std::vector<float> column_weights, row_weights;
-};
-void add_tile(const FineTile& tile, std::span<const float> logits, const FineShare& share,
-              LogitPlanes& fused);
-
-/// 1 / (1 + e^-x) of every value, in place.
-void squash(FloatRaster& plane);
+/// One field from all scales: at every pixel the logits of the scales, coarse ones enlarged
+/// linearly, go through the model. Where a scale is missing its nearest coarser one, or the
+/// coarsest there is, takes its place. Uses the planes up.
+EdgeField fuse_levels(LevelStack&& stack, const FusionModel& model);
 
 }  // namespace scree::vision

@@ -95,6 +95,13 @@ Photo halved(const Photo& photo) {
     return out;
 }
 
+Photo doubled(const Photo& photo) {
+    Photo out(2 * photo.width(), 2 * photo.height());
+    cv::Mat to = view(out);
+    cv::resize(view(photo), to, to.size(), 0, 0, cv::INTER_CUBIC);
+    return out;
+}
+
 LevelPicture level_picture(const Photo& photo) {
     LevelPicture level{photo.width(), photo.height(), padded_to_step(photo), {}, {}};
     const cv::Size cells(level.padded.width() / kCell, level.padded.height() / kCell);

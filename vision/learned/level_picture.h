@@ -19,6 +19,9 @@ struct LevelPicture {
 /// of an odd side.
 Photo halved(const Photo& photo);
 
+/// Twice the size, by cubic interpolation.
+Photo doubled(const Photo& photo);
+
 /// Pad a photograph and measure its light: mean and spread of the luma over a Gaussian window of
 /// 64 px, so that nothing depends on what lies further than 256 px away.
 LevelPicture level_picture(const Photo& photo);

@@ -1,9 +1,10 @@
 // Write the learned edge field of a photograph, so that a network can be judged by what the
 // program makes of it.
 //
-// usage: export_field PHOTO OUT [--model FILE] [--levels N] [--adapt 0|1] [--full PX] [--none PX]
-//                     [--tile PX] [--margin PX]
-//   OUT  float32 planes of the photograph's size: boundary, inside, distance
+// usage: export_field PHOTO OUT [--model FILE] [--fusion NUMBERS] [--FIELD NUMBER]...
+//   FIELD    of LearnedOptions, such as levels, adapt (0 or 1), full, none
+//   OUT      float32 planes of the photograph's size: boundary, inside, distance
+//   NUMBERS  float32 numbers that read_fusion() takes
 #include "base/error.h"
 #include "vision/image_io.h"
 #include "vision/learned/learned_edge_detector.h"
@@ -19,12 +20,16 @@ using namespace scree::vision;
 
 struct Wishes {
     LearnedOptions options;
-    std::string model;
+    std::string model, fusion;
 };
 
 void set_option(const std::string& flag, const std::string& text, Wishes& wishes) {
     if (flag == "--model") {
         wishes.model = text;
+        return;
+    }
+    if (flag == "--fusion") {
+        wishes.fusion = text;
         return;
     }
     bool known = false;
@@ -43,7 +48,9 @@ void run(std::span<char*> words) {
     for (std::size_t i = 3; i + 1 < words.size(); i += 2)
         set_option(words[i], words[i + 1], wishes);
     const LearnedEdgeDetector detector(
-        wishes.options, wishes.model.empty() ? shipped_network() : read_network(wishes.model));
+        wishes.options, wishes.model.empty() ? shipped_network() : read_network(wishes.model),
+        wishes.fusion.empty() ? shipped_fusion()
+                              : read_fusion(training::read_numbers(wishes.fusion)));
     const EdgeField field = detector.detect(read_photo(words[1]).pixels);
     std::vector<float> planes;
     for (const FloatRaster* plane : {&field.boundary, &field.inside, &field.distance})
@@ -55,8 +62,8 @@ void run(std::span<char*> words) {
 
 int main(int argc, char** argv) {
     if (argc < 3 || argc % 2 == 0) {
-        std::cerr << "usage: export_field PHOTO OUT [--model FILE] [--levels N] [--adapt 0|1]"
-                     " [--full PX] [--none PX] [--tile PX] [--margin PX]\n";
+        std::cerr << "usage: export_field PHOTO OUT [--model FILE] [--fusion NUMBERS]"
+                     " [--FIELD NUMBER]...\n";
         return 2;
     }
     try {

@@ -150,6 +150,20 @@ TEST(LearnedEdgeDetector, TellsAndHeedsAtEveryTile) {
     EXPECT_EQ(hasty.n_reports, 2);
 }
 
+TEST(LearnedEdgeDetector, MayLookAtTheDoubledPicture) {
+    const FusionModel fusion{.reads_doubled = true, .n_levels = 1};
+    const Photo photo = part(pebbles(), 0, 0, 470, 280);
+    const EdgeField plain =
+        LearnedEdgeDetector({}, pointwise(1.0F, 0.5F), {.n_levels = 1}).detect(photo);
+    const EdgeField doubled =
+        LearnedEdgeDetector({.adapt = false}, pointwise(1.0F, 0.5F), fusion).detect(photo);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < photo.size(); ++i)
+        sum += std::abs(plain.inside.data()[i] - doubled.inside.data()[i]);
+    EXPECT_LT(sum / static_cast<double>(photo.size()), 0.05);
+    EXPECT_NE(plain.inside, doubled.inside);
+}
+
 TEST(LearnedEdgeDetector, BadInputIsRefused) {
     EXPECT_THAT([] { LearnedEdgeDetector().detect(Photo()); },
                 testing::ThrowsMessage<InvalidInput>("the photograph has no pixels"));
