@@ -33,7 +33,8 @@ namespace fs = std::filesystem;
 
 constexpr int kTextureQuality = 90;
 constexpr int kPatchStones = 2000;
-// With more vertices than these the levels are written one after another, to hold one at a time.
+// With more vertices than these the levels are written one after another, to hold one at a time,
+// and pictures are drawn when they are gone.
 constexpr std::size_t kManyVertices = 2'000'000;
 
 using LodChains = std::vector<std::vector<meshing::LodLevel>>;
@@ -65,6 +66,7 @@ struct Workshop {
     AssetReport report = {};
 
     bool has_rocks() const { return !set.rocks.empty(); }
+    bool has_many_vertices() const { return report.n_vertices > kManyVertices; }
 
     void stage(const std::string& name) {
         staged[name] = batch.stage(folder / name);
@@ -259,7 +261,7 @@ void write_levels_one_by_one(Workshop& shop) {
 }
 
 void add_mesh_steps(Workshop& shop, std::vector<Step>& steps) {
-    if (shop.report.n_vertices > kManyVertices) {
+    if (shop.has_many_vertices()) {
         steps.push_back({"rocks", [&shop] { write_levels_one_by_one(shop); }});
     } else {
         steps.push_back({"rocks", [&shop] { write_rocks(shop); }});
@@ -271,20 +273,26 @@ void add_mesh_steps(Workshop& shop, std::vector<Step>& steps) {
         {"lod list", [&shop] { write_staged_file(shop.staged.at("lods.json"), shop.lod_list); }});
 }
 
+void add_picture_steps(Workshop& shop, std::vector<Step>& steps) {
+    steps.push_back({"preview", [&shop] { write_preview(shop); }});
+    if (shop.photo != nullptr)
+        steps.push_back({"overlay", [&shop] {
+                             vision::write_png(shop.staged.at("overlay.png"),
+                                               vision::draw_overlay(*shop.photo, shop.set));
+                         }});
+}
+
 // The longest first, so that no thread waits long at the end.
 std::vector<Step> last_steps(Workshop& shop) {
     const auto path = [&shop](const char* name) { return shop.staged.at(name); };
     std::vector<Step> steps;
     if (shop.has_rocks())
         steps.push_back({"patch", [&] { write_patch(shop); }});
-    steps.push_back({"preview", [&] { write_preview(shop); }});
-    if (shop.photo != nullptr)
-        steps.push_back({"overlay", [&, path] {
-                             vision::write_png(path("overlay.png"),
-                                               vision::draw_overlay(*shop.photo, shop.set));
-                         }});
+    if (!shop.has_many_vertices())
+        add_picture_steps(shop, steps);
     steps.push_back({"normals", [&, path] {
-                         vision::write_png(path("normal.png"), meshing::normal_map(shop.heights));
+                         vision::write_data_png(path("normal.png"),
+                                                meshing::normal_map(shop.heights));
                      }});
     steps.push_back({"occlusion", [&, path] {
                          vision::write_png(path("ao.png"),
@@ -325,6 +333,11 @@ AssetReport write_rock_assets(const vision::RockSet& set, const RockPicture& pic
     run_steps(first_steps(shop), "building meshes", shop);
     stage_files(shop);
     run_steps(last_steps(shop), "writing files", shop);
+    if (shop.has_many_vertices()) {
+        std::vector<Step> pictures;
+        add_picture_steps(shop, pictures);
+        run_steps(std::move(pictures), "drawing pictures", shop);
+    }
     return shop.report;
 }
 

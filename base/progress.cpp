@@ -4,12 +4,15 @@
 
 namespace scree {
 
-void report_progress(Progress* progress, std::string_view stage, double fraction) {
-    if (progress == nullptr)
-        return;
-    if (progress->cancelled())
+void stop_if_cancelled(const Progress* progress, std::string_view stage) {
+    if (progress != nullptr && progress->cancelled())
         fail<Cancelled>("stopped during ", stage);
-    progress->report(stage, fraction);
+}
+
+void report_progress(Progress* progress, std::string_view stage, double fraction) {
+    stop_if_cancelled(progress, stage);
+    if (progress != nullptr)
+        progress->report(stage, fraction);
 }
 
 }  // namespace scree

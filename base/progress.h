@@ -17,6 +17,10 @@ public:
     virtual bool cancelled() const { return false; }
 };
 
+/// Ask whether to go on, from any thread; null goes on.
+/// @throw Cancelled  the listener asked for a stop.
+void stop_if_cancelled(const Progress* progress, std::string_view stage);
+
 /// Report to `progress` if there is one.
 /// @throw Cancelled  the listener asked for a stop.
 void report_progress(Progress* progress, std::string_view stage, double fraction);

@@ -272,6 +272,13 @@ void write_png(const fs::path& path, const Photo& picture) {
     write_pixels(path, spec, OIIO::TypeDesc::UINT8, picture.data());
 }
 
+void write_data_png(const fs::path& path, const Photo& picture) {
+    OIIO::ImageSpec spec = png_spec(picture.width(), picture.height(), 3, OIIO::TypeDesc::UINT8);
+    spec["png:compressionLevel"] = 1;
+    spec["png:filter"] = 0x40;
+    write_pixels(path, spec, OIIO::TypeDesc::UINT8, picture.data());
+}
+
 void write_png(const fs::path& path, const Raster<std::uint8_t>& picture) {
     write_pixels(path, png_spec(picture.width(), picture.height(), 1, OIIO::TypeDesc::UINT8),
                  OIIO::TypeDesc::UINT8, picture.data());

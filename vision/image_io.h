@@ -47,6 +47,8 @@ HeightImage read_heights(const std::filesystem::path& path, const ReadLimits& li
 /// Write 8-bit sRGB PNG. `path` is used as it is: stage it for an atomic write.
 /// @throw IoError  names the path and the reason.
 void write_png(const std::filesystem::path& path, const Photo& picture);
+/// Write three channels of 8 bits that are data, not colours (normals): PNG without a colour space.
+void write_data_png(const std::filesystem::path& path, const Photo& picture);
 /// Write 8-bit grey PNG.
 void write_png(const std::filesystem::path& path, const Raster<std::uint8_t>& picture);
 /// Write 16-bit grey PNG with the labels as they are.

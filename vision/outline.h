@@ -31,7 +31,9 @@ public:
     /// @pre   Filled channels have the photograph's size.
     /// @post  Outlines are ordered by decreasing confidence, ties by row then column.
     /// @throw InvalidInput  the sizes differ or a channel that the finder needs is empty.
-    virtual std::vector<Outline> find(const Photo& photo, const EdgeField& field) const = 0;
+    /// @throw Cancelled     the listener asked for a stop.
+    virtual std::vector<Outline> find(const Photo& photo, const EdgeField& field,
+                                      Progress* progress = nullptr) const = 0;
 };
 
 /// Radius at any azimuth (radians): periodic linear interpolation of the stored radii.

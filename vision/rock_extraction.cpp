@@ -79,13 +79,13 @@ RockExtraction extract_rocks(const Photo& photo, const EdgeDetector& detector,
     EdgeField field = detector.detect(photo, progress);
     result.edge_seconds = watch.lap();
     report_progress(progress, "finding outlines", 0.0);
-    std::vector<Outline> outlines = finder.find(photo, field);
+    std::vector<Outline> outlines = finder.find(photo, field, progress);
     std::erase_if(outlines,
                   [&](const Outline& o) { return equivalent_diameter(o) < options.min_size; });
     result.outline_seconds = watch.lap();
     report_progress(progress, "refining outlines", 0.0);
     if (options.refine) {
-        RefinedRocks refined = refine_outlines(photo, field, std::move(outlines));
+        RefinedRocks refined = refine_outlines(photo, field, std::move(outlines), {}, progress);
         result.rocks.rocks = std::move(refined.rocks);
         result.refinement = refined.report;
     } else {

@@ -1,6 +1,7 @@
 #include "vision/image_io.h"
 
 #include "base/error.h"
+#include "base/whole_file.h"
 #include "tests/support/temp_dir.h"
 
 #include <fstream>
@@ -23,6 +24,19 @@ TEST(ImageIo, PngKeepsEveryByte) {
     const Photo photo = gradient(31, 17);
     write_png(dir / "a.png", photo);
     EXPECT_EQ(read_photo(dir / "a.png").pixels, photo);
+}
+
+// A reader that honours a tag for colours would bend normals.
+TEST(ImageIo, DataCarriesNoColourSpace) {
+    const test::TempDir dir;
+    const Photo normals = gradient(31, 17);
+    write_data_png(dir / "data.png", normals);
+    write_png(dir / "colours.png", normals);
+    EXPECT_EQ(read_photo(dir / "data.png").pixels, normals);
+    const std::string data = read_whole_file(dir / "data.png", 100'000);
+    for (const char* tag : {"sRGB", "gAMA", "iCCP", "cHRM"})
+        EXPECT_EQ(data.find(tag), std::string::npos) << tag;
+    EXPECT_NE(read_whole_file(dir / "colours.png", 100'000).find("sRGB"), std::string::npos);
 }
 
 TEST(ImageIo, LabelsKeepSixteenBits) {

@@ -5,6 +5,8 @@
 #include "testdata/synthetic_photo.h"
 #include "vision/data/metrics.h"
 
+#include <atomic>
+
 #include <gmock/gmock.h>
 
 namespace scree::vision {
@@ -99,6 +101,28 @@ TEST(RockExtraction, RefusesAnEmptyPhotographAndStopsWhenAsked) {
         bool cancelled() const override { return true; }
     } stop;
     EXPECT_THROW(extract_rocks(pebbles().photo, {}, &stop), Cancelled);
+}
+
+// Asks for a stop a little after a stage has begun, as a person does.
+class StopsWithin : public Progress {
+public:
+    explicit StopsWithin(std::string_view stage) : stage_(stage) {}
+    void report(std::string_view stage, double) override { begun_ = begun_ || stage == stage_; }
+    bool cancelled() const override { return begun_ && ++n_asked_ > 3; }
+
+private:
+    std::string_view stage_;
+    std::atomic<bool> begun_{false};
+    mutable std::atomic<int> n_asked_{0};
+};
+
+TEST(RockExtraction, StopsWithinOutlinesAndWithinTheirRefinement) {
+    for (const char* stage : {"finding outlines", "refining outlines"}) {
+        StopsWithin progress(stage);
+        EXPECT_THAT(
+            [&] { extract_rocks(pebbles().photo, {.method = Method::Classical}, &progress); },
+            testing::ThrowsMessage<Cancelled>(testing::HasSubstr(stage)));
+    }
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ namespace {
 constexpr float kLeastBorder = 0.2F;
 // First scores under this are not looked at again.
 constexpr float kLeastMatch = 0.2F;
+constexpr const char* kStage = "finding outlines";
 
 struct Candidate {
     int region = 0;
@@ -32,7 +33,7 @@ bool has_border(const RegionNode& node) {
 
 std::vector<Candidate> shortlist(const RegionHierarchy& hierarchy, const RegionIndex& index,
                                  const EdgeField& field, const std::vector<RegionScore>& scores,
-                                 const CandidateOptions& options) {
+                                 const CandidateOptions& options, const Progress* progress) {
     const auto& nodes = hierarchy.tree.nodes;
     const double least_area = 0.9 * 0.25 * std::numbers::pi * options.min_size * options.min_size;
     std::vector<Candidate> list;
@@ -42,6 +43,7 @@ std::vector<Candidate> shortlist(const RegionHierarchy& hierarchy, const RegionI
             list.push_back({static_cast<int>(i), {}, {}});
     const auto contexts = region_contexts(hierarchy.tree, scores);
     parallel_for_each_index(0, list.size(), 16, [&](std::size_t i) {
+        stop_if_cancelled(progress, kStage);
         Candidate& c = list[i];
         const auto region = static_cast<std::size_t>(c.region);
         c.outline =
@@ -67,14 +69,15 @@ CandidateOutlineFinder::CandidateOutlineFinder(const CandidateOptions& options,
     check(options_);
 }
 
-std::vector<Outline> CandidateOutlineFinder::find(const Photo& photo,
-                                                  const EdgeField& given) const {
+std::vector<Outline> CandidateOutlineFinder::find(const Photo& photo, const EdgeField& given,
+                                                  Progress* progress) const {
     EdgeField completed;
     const EdgeField& field = complete_field(photo, given, completed);
     const RegionHierarchy hierarchy = region_hierarchy(photo, field, score_->hierarchy);
+    stop_if_cancelled(progress, kStage);
     const auto first = score_regions(hierarchy.tree, score_->region);
     const RegionIndex index(hierarchy);
-    auto candidates = shortlist(hierarchy, index, field, first, options_);
+    auto candidates = shortlist(hierarchy, index, field, first, options_, progress);
     std::vector<CandidateFeatures> features;
     std::ranges::transform(candidates, std::back_inserter(features), &Candidate::features);
     const auto scores = score_candidates(features, score_->outline);
@@ -92,6 +95,7 @@ std::vector<Outline> CandidateOutlineFinder::find(const Photo& photo,
     const auto chosen = select_regions(hierarchy.tree, worth);
     std::vector<Outline> outlines(chosen.size());
     parallel_for_each_index(0, chosen.size(), 16, [&](std::size_t i) {
+        stop_if_cancelled(progress, kStage);
         const auto region = static_cast<std::size_t>(chosen[i]);
         outlines[i] =
             region_outline(index, hierarchy.tree.nodes[region], chosen[i], options_.smooth);

@@ -33,7 +33,8 @@ public:
     explicit CandidateOutlineFinder(const CandidateOptions& options = {},
                                     const ScoreModel& score = trained_score_model());
 
-    std::vector<Outline> find(const Photo& photo, const EdgeField& field) const override;
+    std::vector<Outline> find(const Photo& photo, const EdgeField& field,
+                              Progress* progress = nullptr) const override;
 
 private:
     CandidateOptions options_;

@@ -128,7 +128,8 @@ Refined refine_one(const EdgeMaps& maps, const Outline& outline, const RefineOpt
 }  // namespace
 
 RefinedRocks refine_outlines(const Photo& photo, const EdgeField& field,
-                             std::vector<Outline> outlines, const RefineOptions& options) {
+                             std::vector<Outline> outlines, const RefineOptions& options,
+                             const Progress* progress) {
     check(options);
     check_channel(field.boundary, "boundary", photo);
     if (field.boundary.empty())
@@ -140,6 +141,7 @@ RefinedRocks refine_outlines(const Photo& photo, const EdgeField& field,
     const EdgeMaps maps{blurred(field.boundary), blurred(field.inside)};
     std::vector<Refined> refined(outlines.size());
     parallel_for_each_index(0, outlines.size(), 8, [&](std::size_t i) {
+        stop_if_cancelled(progress, "refining outlines");
         refined[i] = refine_one(maps, outlines[i], options);
     });
     RefinedRocks result;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/options.h"
+#include "base/progress.h"
 #include "vision/edge_field.h"
 #include "vision/rock_data.h"
 
@@ -56,7 +57,9 @@ struct RefinedRocks {
 /// @throw InvalidOption  a value is outside the range that describe() gives.
 /// @throw InvalidInput   a channel's size differs from the photograph's, the boundary is empty, or
 ///                       an outline has a centre or radius that is no positive number.
+/// @throw Cancelled      the listener asked for a stop.
 RefinedRocks refine_outlines(const Photo& photo, const EdgeField& field,
-                             std::vector<Outline> outlines, const RefineOptions& options = {});
+                             std::vector<Outline> outlines, const RefineOptions& options = {},
+                             const Progress* progress = nullptr);
 
 }  // namespace scree::vision

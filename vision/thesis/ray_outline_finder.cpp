@@ -12,7 +12,8 @@ RayOutlineFinder::RayOutlineFinder(const ThesisOptions& options) : options_(opti
     check_thesis(options);
 }
 
-std::vector<Outline> RayOutlineFinder::find(const Photo& photo, const EdgeField& field) const {
+std::vector<Outline> RayOutlineFinder::find(const Photo& photo, const EdgeField& field,
+                                            Progress* progress) const {
     const FloatRaster& boundary = field.boundary;
     if (boundary.empty())
         fail<InvalidInput>("the edge field has no boundary channel, rays need one");
@@ -24,6 +25,7 @@ std::vector<Outline> RayOutlineFinder::find(const Photo& photo, const EdgeField&
                    [](float b) { return static_cast<std::uint8_t>(b >= 0.5F ? 1 : 0); });
     const glm::ivec2 size{mask.width(), mask.height()};
     const glm::ivec2 working = working_size(size, options_.working_width);
+    stop_if_cancelled(progress, "finding outlines");
     const SliceSet found = find_slices(scaled_mask(mask, working), options_);
     return ordered_outlines(found.slices, glm::dvec2(size) / glm::dvec2(working));
 }

@@ -13,7 +13,8 @@ namespace scree::vision {
 class RayOutlineFinder final : public OutlineFinder {
 public:
     explicit RayOutlineFinder(const ThesisOptions& options = {});
-    std::vector<Outline> find(const Photo& photo, const EdgeField& field) const override;
+    std::vector<Outline> find(const Photo& photo, const EdgeField& field,
+                              Progress* progress = nullptr) const override;
 
 private:
     ThesisOptions options_;

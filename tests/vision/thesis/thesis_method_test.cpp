@@ -161,7 +161,8 @@ TEST(ThesisMethod, MaskServesBothContrastsWhereNoCannyOrWatershedDoes) {
 // RK-28: detector and finder are exchangeable; neither knows the other.
 class HalvesFinder final : public OutlineFinder {
 public:
-    std::vector<Outline> find(const Photo& photo, const EdgeField& field) const override {
+    std::vector<Outline> find(const Photo& photo, const EdgeField& field,
+                              Progress*) const override {
         double sum = 0;
         for (const float b : field.boundary)
             sum += b;
