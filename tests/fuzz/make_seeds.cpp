@@ -1,5 +1,6 @@
 #include "base/whole_file.h"
 #include "meshing/gltf/gltf_write.h"
+#include "tests/support/tiny_network.h"
 #include "vision/data/rockdata_text.h"
 #include "vision/data/rocks_json.h"
 #include "vision/image_io.h"
@@ -50,6 +51,24 @@ void label_seeds(const fs::path& folder) {
     write(folder / "labels.tif", {9, 6, 1, OIIO::TypeDesc::UINT16});
 }
 
+// Few weights, so that most changes hit what the numbers mean.
+void model_seeds(const fs::path& folder) {
+    fs::create_directories(folder);
+    test::TinyNetwork network = test::pointwise_network(3, 1.0F, 0.5F);
+    write_whole_file(folder / "pointwise", std::string_view(test::onnx_bytes(network)));
+    write_whole_file(folder / "smoothing",
+                     std::string_view(test::onnx_bytes(test::smoothing_network(1, 1.0F))));
+    network.nodes[0].output = "folded";
+    network.nodes.push_back({"Relu", {"folded"}, "positive", {}, {}});
+    network.nodes.push_back(
+        {"MaxPool", {"positive"}, "small", {{"kernel_shape", {2, 2}}, {"strides", {2, 2}}}, {}});
+    network.nodes.push_back(
+        {"Resize", {"small", "", "scales"}, "large", {}, {{"mode", "nearest"}}});
+    network.weights.push_back({"scales", {4}, {1, 1, 2, 2}});
+    network.nodes.push_back({"Add", {"large", "folded"}, "field", {}, {}});
+    write_whole_file(folder / "joined", std::string_view(test::onnx_bytes(network)));
+}
+
 vision::RockSet rocks(std::size_t n) {
     vision::RockSet set{"a.png", 30, 20, 0.0005, "classical", {}};
     for (std::size_t i = 0; i < n; ++i) {
@@ -88,6 +107,7 @@ int main(int n_words, char** words) {
     const fs::path folder = words[1];
     image_seeds(folder / "image");
     label_seeds(folder / "labels");
+    model_seeds(folder / "model");
     glb_seeds(folder / "glb");
     fs::create_directories(folder / "rocks_json");
     fs::create_directories(folder / "rocks_text");
