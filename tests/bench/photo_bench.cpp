@@ -1,6 +1,7 @@
 // Whole runs of the program and the outlines alone, each beside the ordinary OpenCV way (Canny,
 // then watershed) on the same picture in the same run. The picture is the demo photograph, mirrored
 // and repeated to the size asked for, so that rocks keep their size in pixels.
+#include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "tests/support/temp_dir.h"
 #include "vision/image_io.h"
@@ -113,6 +114,37 @@ BENCHMARK_CAPTURE(outlines, classical, scree::vision::Method::Classical)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(outlines, thesis, scree::vision::Method::Thesis)
+    ->Arg(900)
+    ->Iterations(3)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
+// How many times as fast two threads find the outlines as one does, on a machine with two cores.
+void parallel_speed_up(benchmark::State& state, scree::vision::Method method) {
+    const auto width = static_cast<int>(state.range(0));
+    const Photo photo = ground(width, width * 3 / 4);
+    const auto seconds = [&](int n_threads) {
+        const scree::ThreadLimit limit(n_threads);
+        scree::Stopwatch watch;
+        benchmark::DoNotOptimize(scree::vision::extract_rocks(photo, {.method = method}));
+        return watch.lap();
+    };
+    double one = 0.0;
+    double two = 0.0;
+    for (auto _ : state) {
+        one += seconds(1);
+        two += seconds(2);
+    }
+    state.counters["one_thread_ms"] = 1e3 * one / static_cast<double>(state.iterations());
+    state.counters["two_threads_ms"] = 1e3 * two / static_cast<double>(state.iterations());
+    state.counters["speed_up"] = one / two;
+}
+BENCHMARK_CAPTURE(parallel_speed_up, classical, scree::vision::Method::Classical)
+    ->Arg(900)
+    ->Iterations(7)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(parallel_speed_up, thesis, scree::vision::Method::Thesis)
     ->Arg(900)
     ->Iterations(3)
     ->UseRealTime()
