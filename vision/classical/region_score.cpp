@@ -21,6 +21,12 @@ constexpr double kLearnedScoreNumbers[] = {
 
 constexpr std::size_t kOutputs = 3;  // overlap above 0.5, above 0.7, the overlap itself
 
+void check_network(const Mlp& network, int n_features) {
+    if (network.n_in() != n_features || network.n_out() != static_cast<int>(kOutputs))
+        fail<InvalidInput>("a network of the score has ", network.n_in(), " inputs and ",
+                           network.n_out(), " outputs, must have ", n_features, " and ", kOutputs);
+}
+
 // Score up to kMlpBlock candidates; `features(k)` gives those of the k-th.
 template <std::size_t kCount, class Features>
 std::array<RegionScore, kMlpBlock> score_block(const Mlp& model, int n, Features features) {
@@ -53,15 +59,12 @@ ScoreModel read_score_model(std::span<const double> numbers) {
     model.hierarchy.inside = numbers[0];
     numbers = numbers.subspan(1);
     model.region = read_mlp(numbers);
-    model.outline = read_mlp(numbers);
-    if (model.region.n_in() != kRegionFeatures || model.outline.n_in() != kCandidateFeatures)
-        fail<InvalidInput>("the score's networks read ", model.region.n_in(), " and ",
-                           model.outline.n_in(), " values, must read ", kRegionFeatures, " and ",
-                           kCandidateFeatures);
-    for (const Mlp* network : {&model.region, &model.outline})
-        if (network->n_out() != static_cast<int>(kOutputs))
-            fail<InvalidInput>("a network of the score gives ", network->n_out(),
-                               " values, must give ", kOutputs);
+    do
+        model.outline.push_back(read_mlp(numbers));
+    while (!numbers.empty());
+    check_network(model.region, kRegionFeatures);
+    for (const Mlp& network : model.outline)
+        check_network(network, kCandidateFeatures);
     return model;
 }
 
@@ -104,14 +107,19 @@ CandidateFeatures candidate_features(const MergeTree& tree, int region, const Ou
 }
 
 std::vector<RegionScore> score_candidates(std::span<const CandidateFeatures> candidates,
-                                          const Mlp& model) {
+                                          std::span<const Mlp> networks) {
     std::vector<RegionScore> scores(candidates.size());
+    const auto share = 1.0F / static_cast<float>(networks.size());
     parallel_for(0, candidates.size(), kMlpBlock, [&](std::size_t first, std::size_t last) {
-        const auto block = score_block<kCandidateFeatures>(
-            model, static_cast<int>(last - first),
-            [&](int k) { return candidates[first + static_cast<std::size_t>(k)]; });
-        std::copy_n(block.begin(), last - first,
-                    scores.begin() + static_cast<std::ptrdiff_t>(first));
+        for (const Mlp& network : networks) {
+            const auto block = score_block<kCandidateFeatures>(
+                network, static_cast<int>(last - first),
+                [&](int k) { return candidates[first + static_cast<std::size_t>(k)]; });
+            for (std::size_t k = first; k < last; ++k) {
+                scores[k].match += share * block[k - first].match;
+                scores[k].overlap += share * block[k - first].overlap;
+            }
+        }
     });
     return scores;
 }

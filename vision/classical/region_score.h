@@ -12,13 +12,13 @@
 
 namespace scree::vision {
 
-/// The two networks that score candidates: a cheap one for all regions of a hierarchy, and one
-/// that also looks along the outline for those that passed. They belong to one kind of edge field
-/// and to hierarchies that are cut from it in one way.
+/// The networks that score candidates: a cheap one for all regions of a hierarchy, and some that
+/// also look along the outline of those that passed; what these say is averaged. They belong to one
+/// kind of edge field and to hierarchies that are cut from it in one way.
 struct ScoreModel {
     HierarchyOptions hierarchy;
     Mlp region;
-    Mlp outline;
+    std::vector<Mlp> outline;  ///< At least one.
 };
 
 /// The model that training/train_score.py wrote for the fields of the classical detector.
@@ -27,8 +27,9 @@ const ScoreModel& trained_score_model();
 /// The model that it wrote for the fields of the learned network.
 const ScoreModel& learned_score_model();
 
-/// Read the hierarchy's least inside value, then both networks by read_mlp().
-/// @throw InvalidInput  a number is missing, or a network does not fit its features.
+/// Read the hierarchy's least inside value, then all networks by read_mlp().
+/// @throw InvalidInput  a number or the second network is missing, or a network does not fit its
+/// features.
 ScoreModel read_score_model(std::span<const double> numbers);
 
 /// First score of every region of at least kLeastScoredArea pixels; smaller ones get zero.
@@ -44,7 +45,8 @@ CandidateFeatures candidate_features(const MergeTree& tree, int region, const Ou
                                      const EdgeField& field, const ContextFeatures& context);
 
 /// Second score of each candidate.
+/// @pre At least one network.
 std::vector<RegionScore> score_candidates(std::span<const CandidateFeatures> candidates,
-                                          const Mlp& model);
+                                          std::span<const Mlp> networks);
 
 }  // namespace scree::vision

@@ -113,9 +113,10 @@ def train(args, pictures):
         score = np.zeros((len(rows), 3))
         score[large(rows)] = region.predict(rows[large(rows)][:, first])
         passed.append(np.hstack([rows, context(rows, score)])[score[:, 0] > 0.05])
-    outline = fit(np.concatenate(passed), np.arange(HEAD, passed[0].shape[1]), 2 * args.epochs, (32, 16),
-                  weights(passed), args.seed)
-    return np.concatenate([np.float32([args.inside]), region.numbers(), outline.numbers()])
+    rows = np.concatenate(passed)
+    outline = [fit(rows, np.arange(HEAD, rows.shape[1]), 2 * args.epochs, (32, 16), weights(passed), args.seed + k)
+               for k in range(args.networks)]
+    return np.concatenate([np.float32([args.inside]), region.numbers(), *(net.numbers() for net in outline)])
 
 
 def judge(args, item, k, field, score_file):
@@ -146,7 +147,8 @@ def main():
     parser.add_argument("tools")
     parser.add_argument("work")
     parser.add_argument("--folds", type=int, default=6)
-    parser.add_argument("--epochs", type=int, default=10)
+    parser.add_argument("--epochs", type=int, default=40)
+    parser.add_argument("--networks", type=int, default=2, help="networks that judge outlines; their mean counts")
     parser.add_argument("--seed", type=int, default=5)
     parser.add_argument("--fields", help="folder of finished edge fields")
     parser.add_argument("--inside", type=float, default=0.3, help="least inside value of a rock's pixel")

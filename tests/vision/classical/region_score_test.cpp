@@ -70,9 +70,26 @@ TEST(RegionScore, SmallRegionsGetNone) {
     EXPECT_EQ(score_regions(tree, trained_score_model().region)[0].match, 0.0F);
 }
 
+TEST(RegionScore, NetworksAreAveraged) {
+    const Mlp& network = trained_score_model().outline.front();
+    Mlp other = network;
+    for (float& bias : other.layers.back().bias)
+        bias += 1;
+    const CandidateFeatures some[] = {CandidateFeatures{}};
+    const auto alone = score_candidates(some, std::vector<Mlp>{network})[0];
+    const auto shifted = score_candidates(some, std::vector<Mlp>{other})[0];
+    const auto both = score_candidates(some, std::vector<Mlp>{network, other})[0];
+    EXPECT_NEAR(both.match, 0.5F * (alone.match + shifted.match), 1e-6);
+    EXPECT_NEAR(both.overlap, 0.5F * (alone.overlap + shifted.overlap), 1e-6);
+}
+
 TEST(RegionScore, BothNetworksFitTheirFeatures) {
-    EXPECT_EQ(trained_score_model().region.n_in(), kRegionFeatures);
-    EXPECT_EQ(trained_score_model().outline.n_in(), kCandidateFeatures);
+    for (const ScoreModel* model : {&trained_score_model(), &learned_score_model()}) {
+        EXPECT_EQ(model->region.n_in(), kRegionFeatures);
+        ASSERT_FALSE(model->outline.empty());
+        for (const Mlp& network : model->outline)
+            EXPECT_EQ(network.n_in(), kCandidateFeatures);
+    }
 }
 
 TEST(RegionScore, TablesThatDoNotFitAreRefused) {
@@ -87,8 +104,9 @@ TEST(RegionScore, TablesThatDoNotFitAreRefused) {
     EXPECT_EQ(message({}), "a score model must begin with its least inside value, in (0, 1)");
     EXPECT_EQ(message({7.0, 1.0, 2.0, 1.0}), message({}));
     EXPECT_EQ(message({0.3, 1, 2, 1, 0.5, 0.5, 0, 1, 1, 1, 0.5, 0}),
-              "the score's networks read 2 and 1 values, must read " +
-                  std::to_string(kRegionFeatures) + " and " + std::to_string(kCandidateFeatures));
+              "a network of the score has 2 inputs and 1 outputs, must have " +
+                  std::to_string(kRegionFeatures) + " and 3");
+    EXPECT_NE(message({0.3, 1, 2, 1, 0.5, 0.5, 0}), "") << "the second network is missing";
 }
 
 }  // namespace
