@@ -1,0 +1,88 @@
+#!/usr/bin/python3
+"""Train the outline network by folds of pictures, score each on what it never saw, then train it on all.
+
+usage: train_folds.py OUT SYNTHETIC FOLDER... [--parts 0 1 2,3] [--jobs N]
+
+SYNTHETIC is a folder made by the program synthetic_photos. Written: OUT/start (synthetic pictures
+alone), OUT/fold_P for every part P of the folds (the left-out pictures' fields among it),
+OUT/folds.json with their figures, and OUT/all, the network to ship with its card. What is already
+there is kept, so an interrupted run goes on.
+"""
+import argparse
+import glob
+import json
+import os
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+
+import cv2
+import numpy as np
+from scipy import ndimage as ndi
+from skimage.morphology import h_maxima
+from skimage.segmentation import watershed
+
+from common import score
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+
+
+def train(out, folders, *more):
+    if not os.path.exists(os.path.join(out, "card.md")):
+        subprocess.run([sys.executable, os.path.join(HERE, "train_network.py"), out, *folders, "--threads", "1", *map(str, more)],
+                       check=True, env={**os.environ, "OMP_NUM_THREADS": "1"}, stdout=subprocess.DEVNULL)
+    return os.path.join(out, "weights.pt")
+
+
+def two_rounds(out, args, start, steps, seed, *more):
+    """The rate falls to zero in each round; the second has fewer synthetic pictures."""
+    for k, folder in enumerate((out + "_first", out)):
+        start = train(folder, args.folders, "--extra", args.synthetic, "--extra-share", args.shares[k], "--start", start,
+                      "--rate", 2e-3, "--steps", steps[k], "--seed", seed + k, *more)
+
+
+def regions(field):
+    """Plain watershed from the heights of the distance channel, the simplest reading of a field."""
+    boundary, inside, distance = field
+    d = cv2.GaussianBlur(distance, (0, 0), 1.0)
+    markers = ndi.label(h_maxima(d, 0.12) * (d > 0.3) * (inside > 0.4))[0]
+    return watershed(boundary - 0.5 * d, markers, mask=inside > 0.5)
+
+
+def figures(out, folders):
+    rows = []
+    for folder in folders:
+        for labels in sorted(glob.glob(os.path.join(folder, "*_labels.png"))):
+            name = f"{os.path.basename(os.path.normpath(folder))}/{os.path.basename(labels)[:-len('_labels.png')]}"
+            found = [f for f in glob.glob(os.path.join(out, "fold_*", name.replace("/", "_") + ".f32"))
+                     if not os.path.dirname(f).endswith("_first")]
+            truth = cv2.imread(labels, cv2.IMREAD_UNCHANGED)
+            field = np.fromfile(found[0], np.float32).reshape(3, *truth.shape)
+            rows.append({"name": name, **score(regions(field), truth)})
+            print(f"{name:36s} AP50 {rows[-1]['AP50']:.3f} IoU {rows[-1]['IoU']:.3f}", flush=True)
+    return rows
+
+
+def main():
+    a = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    a.add_argument("out")
+    a.add_argument("synthetic")
+    a.add_argument("folders", nargs="+")
+    a.add_argument("--start-steps", type=int, default=1500, help="on synthetic pictures alone")
+    a.add_argument("--steps", type=int, nargs=2, default=[1100, 1000], help="for each part of the folds, in two rounds")
+    a.add_argument("--last", type=int, nargs=2, default=[2200, 2400], help="on all pictures")
+    a.add_argument("--shares", type=float, nargs=2, default=[0.25, 0.1], help="of synthetic crops in each round")
+    a.add_argument("--parts", nargs="*", default=["0", "1", "2,3"], help="folds of four left out together")
+    a.add_argument("--jobs", type=int, default=2)
+    args = a.parse_args()
+    start = train(os.path.join(args.out, "start"), [args.synthetic], "--steps", args.start_steps, "--seed", 5)
+    with ThreadPoolExecutor(args.jobs) as pool:
+        list(pool.map(lambda p: two_rounds(os.path.join(args.out, "fold_" + p), args, start, args.steps, 10, "--fold", p),
+                      args.parts))
+    with open(os.path.join(args.out, "folds.json"), "w") as file:
+        json.dump(figures(args.out, args.folders), file, indent=1)
+    two_rounds(os.path.join(args.out, "all"), args, start, args.last, 20)
+
+
+if __name__ == "__main__":
+    main()
