@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "vision/classical/field_model.h"
+#include "vision/learned/rock_sizes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,19 +38,32 @@ cv::Mat enlarged_rows(const FloatRaster& plane, int step, const cv::Rect& wanted
 struct Source {
     const LogitPlanes* planes = nullptr;
     int step = 1;
+    float scale = 0.0F;  // binary logarithm of the scale that the network saw
 };
+
+// Every scale there is.
+std::vector<Source> all_sources(const LevelStack& stack) {
+    std::vector<Source> sources;
+    for (const LogitPlanes& planes : stack.doubled)
+        sources.push_back({&planes, 1, 1.0F});
+    for (const LogitPlanes& planes : stack.levels) {
+        const float level = static_cast<float>(&planes - stack.levels.data());
+        sources.push_back({&planes, 1 << static_cast<int>(level), -level});
+    }
+    return sources;
+}
 
 std::vector<Source> sources_of(const LevelStack& stack, const FusionModel& model) {
     std::vector<Source> sources;
     for (int i = 0; i < model.n_levels; ++i) {
         const int halvings = model.reads_doubled ? i - 1 : i;
         if (halvings < 0 && !stack.doubled.empty()) {
-            sources.push_back({stack.doubled.data(), 1});
+            sources.push_back({stack.doubled.data(), 1, 1.0F});
             continue;
         }
         const int there = static_cast<int>(stack.levels.size()) - 1;
         const int level = std::clamp(halvings, 0, there);
-        sources.push_back({&stack.levels[static_cast<std::size_t>(level)], 1 << level});
+        sources.push_back({&stack.levels[static_cast<std::size_t>(level)], 1 << level, 0.0F});
     }
     return sources;
 }
@@ -83,8 +97,8 @@ void fuse_row(const FusionModel& model, std::span<const float* const> inputs, in
     }
 }
 
-void fuse_strip(const std::vector<Source>& sources, const FusionModel& model, const cv::Rect& strip,
-                EdgeField& field) {
+// The strip of every channel of every scale, at the picture's own size.
+std::vector<cv::Mat> strip_rows(const std::vector<Source>& sources, const cv::Rect& strip) {
     std::vector<cv::Mat> rows;
     for (const Source& source : sources) {
         for (const FloatRaster& plane : *source.planes) {
@@ -92,16 +106,57 @@ void fuse_strip(const std::vector<Source>& sources, const FusionModel& model, co
             rows.back() = cv::min(cv::max(rows.back(), -kMostLogit), kMostLogit);
         }
     }
+    return rows;
+}
+
+std::array<float*, kFieldChannels> field_row(EdgeField& field, int y) {
+    return {field.boundary.row(y), field.inside.row(y), field.distance.row(y)};
+}
+
+void fuse_strip(const std::vector<Source>& sources, const FusionModel& model, const cv::Rect& strip,
+                EdgeField& field) {
+    const std::vector<cv::Mat> rows = strip_rows(sources, strip);
     MlpScratch scratch;
     std::vector<const float*> inputs(rows.size());
     for (int y = 0; y < strip.height; ++y) {
         for (std::size_t i = 0; i < rows.size(); ++i)
             inputs[i] = rows[i].ptr<float>(y);
-        const std::array<float*, kFieldChannels> outputs = {field.boundary.row(strip.y + y),
-                                                            field.inside.row(strip.y + y),
-                                                            field.distance.row(strip.y + y)};
-        fuse_row(model, inputs, strip.width, outputs, scratch);
+        fuse_row(model, inputs, strip.width, field_row(field, strip.y + y), scratch);
     }
+}
+
+// Each scale by how near the rocks' diameter there is to the one it is best for.
+void weigh_strip(const std::vector<Source>& sources, const FusionModel& model,
+                 const FloatRaster& sizes, const cv::Rect& strip, EdgeField& field) {
+    const std::vector<cv::Mat> rows = strip_rows(sources, strip);
+    const auto centre = static_cast<float>(std::log2(model.centre));
+    const auto sharpness = static_cast<float>(0.5 / (model.spread * model.spread));
+    for (int y = 0; y < strip.height; ++y) {
+        const auto out = field_row(field, strip.y + y);
+        const float* size = sizes.row(strip.y + y);
+        for (int x = 0; x < strip.width; ++x) {
+            std::array<float, kFieldChannels> sum{};
+            float all = 0.0F;
+            for (std::size_t i = 0; i < sources.size(); ++i) {
+                const float off = size[x] + sources[i].scale - centre;
+                const float weight = std::exp(-sharpness * off * off) + 1e-9F;
+                all += weight;
+                for (std::size_t channel = 0; channel < sum.size(); ++channel)
+                    sum[channel] += weight * rows[i * sum.size() + channel].ptr<float>(y)[x];
+            }
+            for (std::size_t channel = 0; channel < sum.size(); ++channel)
+                out[channel][x] = 1.0F / (1.0F + std::exp(-sum[channel] / all));
+        }
+    }
+}
+
+template <class Body>
+void for_each_strip(int width, int height, Body&& body) {
+    const int strips = (height + kStripRows - 1) / kStripRows;
+    parallel_for_each_index(0, static_cast<std::size_t>(strips), 1, [&](std::size_t i) {
+        const int first = static_cast<int>(i) * kStripRows;
+        body(cv::Rect(0, first, width, std::min(kStripRows, height - first)));
+    });
 }
 
 }  // namespace
@@ -118,6 +173,17 @@ FusionModel read_fusion(std::span<const double> numbers) {
     numbers = numbers.subspan(2);
     if (numbers[0] == 0.0)
         return model;
+    if (numbers[0] == -1.0) {
+        const bool fits = numbers.size() == 3 && numbers[1] >= 1 && numbers[1] <= 1e4 &&
+                          numbers[2] >= 0.1 && numbers[2] <= 10;
+        if (!fits)
+            fail<InvalidInput>(
+                "the fusion table needs a centre in [1, 10000] px and a spread in "
+                "[0.1, 10] after -1, and nothing else");
+        model.centre = numbers[1];
+        model.spread = numbers[2];
+        return model;
+    }
     model.network = read_mlp(numbers);
     for (std::size_t i = 1; i < model.network.layers.size(); ++i)
         if (model.network.layers[i].n_in != model.network.layers[i - 1].n_out)
@@ -137,14 +203,21 @@ const FusionModel& shipped_fusion() {
 
 EdgeField fuse_levels(LevelStack&& stack, const FusionModel& model) {
     const int width = stack.levels[0][0].width(), height = stack.levels[0][0].height();
-    const std::vector<Source> sources = sources_of(stack, model);
     EdgeField field{FloatRaster(width, height), FloatRaster(width, height),
                     FloatRaster(width, height)};
-    const int strips = (height + kStripRows - 1) / kStripRows;
-    parallel_for_each_index(0, static_cast<std::size_t>(strips), 1, [&](std::size_t i) {
-        const int first = static_cast<int>(i) * kStripRows;
-        fuse_strip(sources, model, {0, first, width, std::min(kStripRows, height - first)}, field);
-    });
+    const bool by_size = model.network.layers.empty() && model.centre > 0.0;
+    FusionModel first = model;
+    if (by_size)
+        first = {};  // the mean tells the sizes
+    const std::vector<Source> sources = sources_of(stack, first);
+    for_each_strip(width, height,
+                   [&](const cv::Rect& strip) { fuse_strip(sources, first, strip, field); });
+    if (!by_size)
+        return field;
+    const FloatRaster sizes = local_rock_sizes(field);
+    const std::vector<Source> all = all_sources(stack);
+    for_each_strip(width, height,
+                   [&](const cv::Rect& strip) { weigh_strip(all, model, sizes, strip, field); });
     return field;
 }
 

@@ -20,8 +20,8 @@ struct FineShare {
 
 /// Which sizes of rocks a scale is needed for, in diameters at that scale, px.
 struct ScaleChoice {
-    double full = 48;          ///< Up to this size it is taken whole.
-    double none = 80;          ///< From this size on the coarser one stands in for it.
+    double full = 96;          ///< Up to this size it is taken whole.
+    double none = 160;         ///< From this size on the coarser one stands in for it.
     bool where_unsure = true;  ///< Take it whole where the coarser one shows little rock.
 };
 
