@@ -85,6 +85,7 @@ RockReport run_photo_job(const PhotoJob& job, Progress* listener) {
     found.rocks.image = job.photo.filename().string();
     found.rocks.metres_per_pixel = file.metres_per_pixel;
     report.extracted = true;
+    report.doubt = found.likeness.reason;
     report.edge_seconds = found.edge_seconds;
     report.outline_seconds = found.outline_seconds;
     report.refine_seconds = found.refine_seconds;

@@ -60,6 +60,10 @@ ordered_json one_json(const RockReport& report) {
     one["height"] = report.height;
     one["metres_per_pixel"] = report.metres_per_pixel;
     one["rocks"] = report.n_rocks;
+    if (report.likeness)
+        one["likeness_to_gravel"] = *report.likeness;
+    if (!report.doubt.empty())
+        one["warning"] = "does not look like gravel: " + report.doubt;
     one["sizes_by_number"] = sizes_json(report);
     one["vertices"] = report.assets.n_vertices;
     one["triangles"] = report.assets.n_triangles;
@@ -88,6 +92,7 @@ void note_rocks(const vision::RockSet& set, RockReport& report) {
     report.width = set.width;
     report.height = set.height;
     report.n_rocks = set.rocks.size();
+    report.likeness = set.likeness;
     report.metres_per_pixel = set.metres_per_pixel;
     report.unit = curve.unit();
     report.d16 = curve.by_number.d16;

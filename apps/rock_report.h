@@ -4,6 +4,7 @@
 #include "vision/rock_data.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,9 @@ struct RockReport {
     double refine_seconds = 0.0;
     double file_seconds = 0.0;  ///< Outlines to finished files, meshes among it.
     double total_seconds = 0.0;
-    bool extracted = false;  ///< Outlines were found here, not read.
+    std::optional<double> likeness;  ///< To gravel, 0 to 1; empty if unknown.
+    std::string doubt;               ///< Why it does not look like gravel; empty if it does.
+    bool extracted = false;          ///< Outlines were found here, not read.
     AssetReport assets;
 };
 

@@ -2,6 +2,7 @@
 
 #include "vision/outline.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,8 @@ struct RockSet {
     double metres_per_pixel = 0.0;  ///< 0 if unknown.
     std::string method;             ///< Words of the method that found them.
     std::vector<Rock> rocks;
+    /// To gravel, 0 to 1 (gravel_likeness.h); empty if unknown.
+    std::optional<double> likeness = std::nullopt;
 };
 
 /// The scale to build with: the known one, else kAssumedMetresPerPixel.

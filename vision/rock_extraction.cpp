@@ -96,6 +96,8 @@ RockExtraction extract_rocks(const Photo& photo, const EdgeDetector& detector,
     result.refine_seconds = watch.lap();
     result.rocks.width = photo.width();
     result.rocks.height = photo.height();
+    result.likeness = gravel_likeness(field.boundary, result.rocks.rocks);
+    result.rocks.likeness = result.likeness.likeness;
     if (options.keep_stages)
         keep_field(result, field);
     result.boundary = std::move(field.boundary);

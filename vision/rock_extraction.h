@@ -2,6 +2,7 @@
 
 #include "base/options.h"
 #include "base/progress.h"
+#include "vision/gravel_likeness.h"
 #include "vision/refine/refine_outlines.h"
 #include "vision/rock_data.h"
 
@@ -53,6 +54,7 @@ void describe(ExtractionOptions& o, Visitor&& field) {
 struct RockExtraction {
     RockSet rocks;
     RefineReport refinement;
+    GravelLikeness likeness;
     FloatRaster boundary;  ///< Of the edge field: relief_signal() reads it again.
     double edge_seconds = 0.0;
     double outline_seconds = 0.0;  ///< Without refinement.

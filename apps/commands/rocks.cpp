@@ -52,7 +52,10 @@ std::vector<RockReport> run_jobs(PhotoJob job, const std::vector<fs::path>& phot
         const RockReport& report = reports.back();
         if (!report.error.empty())
             print_error_line("scree rocks: " + report.error);
-        else if (!common.json && !common.quiet)
+        else if (!common.quiet && !report.doubt.empty())
+            print_error_line("scree rocks: warning: " + report.source.string() +
+                             " does not look like gravel: " + report.doubt);
+        if (report.error.empty() && !common.json && !common.quiet)
             std::cout << report_text(report) << std::flush;
     }
     return reports;

@@ -64,6 +64,8 @@ void check_rock_set(const RockSet& set, std::string_view source, const RocksFile
     if (!(set.metres_per_pixel >= 0.0 && set.metres_per_pixel <= 1e6))
         fail<InvalidInput>(source, ": metres_per_pixel is ", set.metres_per_pixel,
                            ", must be above 0 and at most 1e6, or 0 if unknown");
+    if (set.likeness && !(*set.likeness >= 0.0 && *set.likeness <= 1.0))
+        fail<InvalidInput>(source, ": likeness is ", *set.likeness, ", must be in [0, 1]");
     if (set.rocks.size() > kMaxRocks)
         fail<InvalidInput>(source, ": rocks has ", set.rocks.size(), " entries, at most ",
                            kMaxRocks, " are allowed");

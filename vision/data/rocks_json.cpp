@@ -17,7 +17,8 @@ namespace {
 using nlohmann::json;
 
 constexpr std::string_view kFormat = "scree-rocks";
-constexpr int kVersion = 1;
+constexpr int kPlainVersion = 1;
+constexpr int kLikenessVersion = 2;          // the same and the likeness to gravel
 constexpr std::size_t kLongestReason = 160;  // the parser quotes what it read last, however long
 
 // ---- writing
@@ -69,7 +70,7 @@ enum SetMember : unsigned {
     kRocks = 32,
     kName = 64,
     kNumber = 128,
-    kWholeSet = 255
+    kLikeness = 256
 };
 enum RockMember : unsigned {
     kCentre = 1,
@@ -87,8 +88,9 @@ struct MemberName {
 };
 
 constexpr MemberName kSetMembers[] = {
-    {"format", kName},   {"version", kNumber},         {"image", kImage},   {"width", kWidth},
-    {"height", kHeight}, {"metres_per_pixel", kScale}, {"method", kMethod}, {"rocks", kRocks}};
+    {"format", kName},   {"version", kNumber}, {"image", kImage},
+    {"width", kWidth},   {"height", kHeight},  {"metres_per_pixel", kScale},
+    {"method", kMethod}, {"rocks", kRocks},    {"likeness", kLikeness}};
 constexpr MemberName kRockMembers[] = {
     {"centre", kCentre},         {"radii", kRadiiList},         {"depth", kDepth},
     {"confidence", kConfidence}, {"uncertainty", kUncertainty}, {"touches_border", kBorder}};
@@ -145,7 +147,7 @@ public:
             require_all(seen_rock_, kRockMembers);
             place_ = Place::Rocks;
         } else {
-            require_all(seen_set_, kSetMembers);
+            require_set();
             place_ = Place::Outside;
         }
         return true;
@@ -223,7 +225,7 @@ private:
                 seen |= member.bit;
                 return;
             }
-        refuse("is no member of format ", kFormat, " version ", kVersion);
+        refuse("is no member of format ", kFormat, " version ", version_);
     }
 
     template <std::size_t N>
@@ -231,6 +233,15 @@ private:
         for (const MemberName& member : members)
             if ((seen & member.bit) == 0)
                 refuse("has no member '", member.name, "'");
+    }
+
+    // Only version 2 has the likeness, and has it always.
+    void require_set() const {
+        const bool has_likeness = (seen_set_ & kLikeness) != 0;
+        require_all(version_ == kPlainVersion ? seen_set_ | kLikeness : seen_set_, kSetMembers);
+        if (version_ == kPlainVersion && has_likeness)
+            fail<InvalidInput>(source_, ": likeness is no member of format ", kFormat, " version ",
+                               kPlainVersion);
     }
 
     double number(const Value& value) const {
@@ -295,8 +306,10 @@ private:
             if (words(value) != kFormat)
                 refuse("is '", value.text, "', must be '", kFormat, "'");
         } else if (key_ == "version") {
-            if (number(value) != kVersion)
-                refuse("is ", value.number, ", this program reads version ", kVersion);
+            version_ = value.number == kPlainVersion ? kPlainVersion : kLikenessVersion;
+            if (number(value) != version_)
+                refuse("is ", value.number, ", this program reads versions ", kPlainVersion,
+                       " and ", kLikenessVersion);
         } else if (key_ == "image") {
             set_.image = words(value);
         } else if (key_ == "method") {
@@ -308,6 +321,10 @@ private:
         } else if (key_ == "metres_per_pixel") {
             if (value.kind != Kind::Null && !((set_.metres_per_pixel = number(value)) > 0.0))
                 refuse("is ", value.number, ", must be above 0, or null if unknown");
+        } else if (key_ == "likeness") {
+            set_.likeness = number(value);
+            if (!(*set_.likeness >= 0.0 && *set_.likeness <= 1.0))
+                refuse("is ", *set_.likeness, ", must be in [0, 1]");
         } else {
             refuse("must be a list");
         }
@@ -334,6 +351,7 @@ private:
     RockSet set_;
     Place place_ = Place::Outside;
     std::string key_;
+    int version_ = kPlainVersion;
     unsigned seen_set_ = 0;
     unsigned seen_rock_ = 0;
     std::size_t n_entries_ = 0;
@@ -343,14 +361,20 @@ private:
 
 std::string rocks_to_json(const RockSet& set) {
     check_rock_set(set, "the rocks to write", {.max_pixels = std::numeric_limits<double>::max()});
-    std::string text = "{\n\"format\":\"scree-rocks\",\n\"version\":1,\n\"image\":";
+    std::string text = "{\n\"format\":\"scree-rocks\",\n\"version\":";
+    text += std::to_string(set.likeness ? kLikenessVersion : kPlainVersion) + ",\n\"image\":";
     text += quoted(set.image) + ",\n\"width\":" + std::to_string(set.width) +
             ",\n\"height\":" + std::to_string(set.height) + ",\n\"metres_per_pixel\":";
     if (set.metres_per_pixel > 0.0)
         append_number(text, set.metres_per_pixel);
     else
         text += "null";
-    text += ",\n\"method\":" + quoted(set.method) + ",\n\"rocks\":[";
+    text += ",\n\"method\":" + quoted(set.method);
+    if (set.likeness) {
+        text += ",\n\"likeness\":";
+        append_number(text, *set.likeness);
+    }
+    text += ",\n\"rocks\":[";
     text.reserve(text.size() + set.rocks.size() * 4096);
     for (std::size_t i = 0; i < set.rocks.size(); ++i) {
         text += i == 0 ? "\n" : ",\n";

@@ -25,7 +25,8 @@ inline constexpr std::size_t kMaxNameLength = 1024;  ///< Bytes of `image` and o
 void check_rock_set(const RockSet& set, std::string_view source,
                     const RocksFileLimits& limits = {});
 
-/// The rocks as text in the format `scree-rocks` version 1 (docs/rocks-json.md).
+/// The rocks as text in the format `scree-rocks` (docs/rocks-json.md): version 2 if their likeness
+/// to gravel is known, else version 1.
 ///
 /// Numbers have the shortest form that reads back as the same value, a rock is a line; so equal
 /// sets give equal bytes, and reading and writing again changes none.

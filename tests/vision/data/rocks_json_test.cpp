@@ -110,6 +110,23 @@ TEST(RocksJsonFile, NameThatIsNoUtf8StillRoundTrips) {
     EXPECT_EQ(rocks_to_json(rocks_from_json(text, "r.json")), text);
 }
 
+TEST(RocksJsonFile, LikenessMakesItVersionTwo) {
+    RockSet set = random_set(2, 4);
+    EXPECT_FALSE(rocks_from_json(rocks_to_json(set), "r.json").likeness.has_value());
+    set.likeness = 0.625;
+    const std::string text = rocks_to_json(set);
+    EXPECT_THAT(text, HasSubstr("\"version\":2"));
+    EXPECT_EQ(rocks_from_json(text, "r.json").likeness, 0.625);
+    EXPECT_EQ(rocks_to_json(rocks_from_json(text, "r.json")), text);
+    expect_refused(changed(text, "\"version\":2", "\"version\":1"),
+                   "likeness is no member of format scree-rocks version 1");
+    expect_refused(changed(text, "\"likeness\":0.625,\n", ""), "has no member 'likeness'");
+    expect_refused(changed(text, "0.625", "1.5"), "likeness is 1.5");
+    expect_refused(changed(text, "0.625", "null"), "likeness must be a number");
+    set.likeness = -0.1;
+    EXPECT_THROW(rocks_to_json(set), InvalidInput);
+}
+
 TEST(RocksJsonErrors, NameTheMember) {
     const std::string good = one_rock();
     expect_refused("", "is no JSON");
@@ -119,7 +136,7 @@ TEST(RocksJsonErrors, NameTheMember) {
     expect_refused(good + "x", "is no JSON");
     expect_refused(good.substr(0, good.size() / 2), "is no JSON");
     expect_refused(changed(good, "scree-rocks", "other"), "format is 'other'");
-    expect_refused(changed(good, "\"version\":1", "\"version\":2"), "version is 2");
+    expect_refused(changed(good, "\"version\":1", "\"version\":3"), "version is 3");
     expect_refused(changed(good, "\"depth\"", "\"deep\""), "rocks[0].deep is no member");
     expect_refused(changed(good, "\"depth\":", "\"depth\":1,\"depth\":"),
                    "rocks[0].depth is given");
