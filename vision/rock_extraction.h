@@ -28,7 +28,7 @@ constexpr std::span<const std::string_view> names_of(Method) {
 }
 
 struct ExtractionOptions {
-    Method method = Method::Classical;
+    Method method = Method::Learned;
     Reading reading = Reading::Sound;  ///< Of the source's method; the classical one has no other.
     double min_size = 8.0;             ///< Least equivalent diameter of a rock, px.
     std::filesystem::path model = {};  ///< Network of the learned method; empty: the one built in.
