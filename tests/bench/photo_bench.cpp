@@ -107,6 +107,12 @@ void outlines(benchmark::State& state, scree::vision::Method method) {
     state.counters["rocks"] = static_cast<double>(n_rocks);
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(photo.size()));
 }
+BENCHMARK_CAPTURE(outlines, learned, scree::vision::Method::Learned)
+    ->Arg(900)
+    ->Arg(1155)
+    ->Iterations(5)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(outlines, classical, scree::vision::Method::Classical)
     ->Arg(900)
     ->Arg(1155)
@@ -139,6 +145,11 @@ void parallel_speed_up(benchmark::State& state, scree::vision::Method method) {
     state.counters["two_threads_ms"] = 1e3 * two / static_cast<double>(state.iterations());
     state.counters["speed_up"] = one / two;
 }
+BENCHMARK_CAPTURE(parallel_speed_up, learned, scree::vision::Method::Learned)
+    ->Arg(900)
+    ->Iterations(5)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(parallel_speed_up, classical, scree::vision::Method::Classical)
     ->Arg(900)
     ->Iterations(7)

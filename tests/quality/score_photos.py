@@ -77,7 +77,7 @@ def main():
     parser.add_argument("data", type=pathlib.Path)
     parser.add_argument("folders", nargs="*", default=["gravel", "outcrop", "sand"])
     parser.add_argument("--scree", default=str(root / "build/release/apps/scree"))
-    parser.add_argument("--method", default="classical")
+    parser.add_argument("--method", default="learned")
     parser.add_argument("--refinement", action="store_true")
     args = parser.parse_args()
     head = f"{'photograph':28s} truth found " + " ".join(f"{k:>6s}" for k in KEYS)
