@@ -1,13 +1,16 @@
 // What the source's chain (rays, turning-angle filter, centroid iteration, Bezier gaps) adds to the
-// regions of the classical method, on the same edge field: docs/vision-classical.md shows the
-// table.
+// regions of the default method, on the same edge field: docs/vision-learned.md and
+// docs/vision-classical.md show the tables.
 //
-//   ray_ablation [FOLDER ...]     folders of the shared labelled photographs; all three by default
+//   ray_ablation [--classical] [FOLDER ...]   folders of the shared labelled photographs; all three
+//                                             by default
 #include "tests/support/shared_data.h"
 #include "vision/classical/candidate_outline_finder.h"
 #include "vision/classical/classical_edge_detector.h"
 #include "vision/data/metrics.h"
 #include "vision/image_io.h"
+#include "vision/learned/learned_edge_detector.h"
+#include "vision/refine/refine_outlines.h"
 #include "vision/thesis/ray_outline_finder.h"
 #include "vision/thesis/slice_tracer.h"
 
@@ -47,9 +50,10 @@ double support(const FloatRaster& boundary, const Outline& outline) {
 }
 
 // Ways to draw the rocks of one photograph, in the order of kWays.
-std::vector<std::vector<Outline>> draw(const Photo& photo) {
-    const EdgeField field = ClassicalEdgeDetector().detect(photo);
-    const std::vector<Outline> regions = CandidateOutlineFinder().find(photo, field);
+std::vector<std::vector<Outline>> draw(const Photo& photo, const EdgeDetector& detector,
+                                       const OutlineFinder& finder) {
+    const EdgeField field = detector.detect(photo);
+    const std::vector<Outline> regions = finder.find(photo, field);
     const SliceTracer tracer(edges_of(field), unscaled());
     std::vector<Outline> rays = regions;
     std::vector<Outline> better = regions;
@@ -64,30 +68,34 @@ std::vector<std::vector<Outline>> draw(const Photo& photo) {
             support(field.boundary, rays[i]) > support(field.boundary, regions[i]) + 0.02)
             better[i] = rays[i];
     }
-    return {regions, rays, better, RayOutlineFinder(unscaled()).find(photo, field)};
+    std::vector<Outline> refined;
+    for (const Rock& rock : refine_outlines(photo, field, regions).rocks)
+        refined.push_back(rock.outline);
+    return {RayOutlineFinder(unscaled()).find(photo, field), rays, better, regions, refined};
 }
 
 constexpr const char* kWays[] = {
-    "regions, as shipped",
-    "the same rocks, redrawn by rays from their centres",
-    "redrawn where that lies on more boundary",
     "rays alone: grid, culling, quality filters",
+    "chosen regions, redrawn by rays from their centres",
+    "chosen regions, redrawn where that is on more boundary",
+    "chosen regions",
+    "chosen regions, refined: as shipped",
 };
 
-void report(const std::string& folder) {
+void report(const std::string& folder, const EdgeDetector& detector, const OutlineFinder& finder) {
     std::vector<std::vector<LabelScore>> scores(std::size(kWays));
     for (const auto& pair : test::labelled_photos(folder)) {
         const Photo photo = read_photo(pair.photo).pixels;
         const LabelMap truth = read_labels(pair.labels);
-        const auto drawn = draw(photo);
+        const auto drawn = draw(photo, detector, finder);
         for (std::size_t way = 0; way < drawn.size(); ++way)
             scores[way].push_back(
                 score_labels(paint_labels(drawn[way], photo.width(), photo.height()), truth));
     }
     for (std::size_t way = 0; way < scores.size(); ++way) {
         const LabelScore mean = mean_score(scores[way]);
-        std::printf("%-8s %-52s AP50 %.3f  IoU %.3f\n", folder.c_str(), kWays[way], mean.ap50,
-                    mean.iou);
+        std::printf("%-8s %-56s AP50 %.3f  IoU %.3f  D50 %.3f  D84 %.3f\n", folder.c_str(),
+                    kWays[way], mean.ap50, mean.iou, mean.d50_error, mean.d84_error);
     }
 }
 
@@ -98,9 +106,15 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "labelled photographs not found: set SCREE_SHARED_DATA\n");
         return 1;
     }
-    const std::vector<std::string> given(argv + 1, argv + argc);
-    for (const std::string& folder :
-         given.empty() ? std::vector<std::string>{"gravel", "outcrop", "sand"} : given)
-        report(folder);
+    std::vector<std::string> folders(argv + 1, argv + argc);
+    const bool classical = std::erase(folders, "--classical") > 0;
+    if (folders.empty())
+        folders = {"gravel", "outcrop", "sand"};
+    const LearnedEdgeDetector learned;
+    const ClassicalEdgeDetector measured;
+    const CandidateOutlineFinder finder({},
+                                        classical ? trained_score_model() : learned_score_model());
+    for (const std::string& folder : folders)
+        report(folder, classical ? static_cast<const EdgeDetector&>(measured) : learned, finder);
     return 0;
 }
