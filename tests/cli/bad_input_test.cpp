@@ -195,7 +195,8 @@ TEST_F(BadInput, ValuesOutOfRangeCostNoWork) {
     const ProgramRun word =
         test::scree({"rocks", at("missing.png"), "-o", at("out"), "--method", "magic"});
     EXPECT_EQ(word.status, 2);
-    EXPECT_THAT(word.errors, HasSubstr("--method needs classical or thesis or learned, got 'magic'"));
+    EXPECT_THAT(word.errors,
+                HasSubstr("--method needs classical or thesis or learned, got 'magic'"));
     const ProgramRun number =
         test::scree({"rocks", at("missing.png"), "-o", at("out"), "--width-m", "wide"});
     EXPECT_EQ(number.status, 2);

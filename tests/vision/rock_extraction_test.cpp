@@ -60,7 +60,8 @@ TEST(RockExtraction, DoesNotDependOnTheThreadCount) {
     EXPECT_EQ(centres(1), centres(4));
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, ByMethod, testing::Values(Method::Classical, Method::Thesis, Method::Learned),
+INSTANTIATE_TEST_SUITE_P(Methods, ByMethod,
+                         testing::Values(Method::Classical, Method::Thesis, Method::Learned),
                          [](const auto& method) {
                              return std::string(
                                  names_of(method.param)[static_cast<std::size_t>(method.param)]);

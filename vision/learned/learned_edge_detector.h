@@ -13,7 +13,7 @@ struct LearnedOptions {
     int levels = 4;     ///< Most scales of the picture at 1, 1/2, 1/4, 1/8.
     bool adapt = true;  ///< Leave a fine scale out where coarse ones show none but big rocks.
     double full = 192;  ///< With adapt: rocks up to this diameter at a scale need it, px.
-    double none = 320; ///< With adapt: from this diameter on the next coarser one will do, px.
+    double none = 320;  ///< With adapt: from this diameter on the next coarser one will do, px.
     double tiny = 12;   ///< Rocks up to this diameter need the picture at twice its size, px, if
                         ///< the fusion reads that.
     int tile = 1024;    ///< Longest side of what the network is given at once, px.
