@@ -3,7 +3,6 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "vision/classical/field_model.h"
-#include "vision/learned/rock_sizes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,32 +37,19 @@ cv::Mat enlarged_rows(const FloatRaster& plane, int step, const cv::Rect& wanted
 struct Source {
     const LogitPlanes* planes = nullptr;
     int step = 1;
-    float scale = 0.0F;  // binary logarithm of the scale that the network saw
 };
-
-// Every scale there is.
-std::vector<Source> all_sources(const LevelStack& stack) {
-    std::vector<Source> sources;
-    for (const LogitPlanes& planes : stack.doubled)
-        sources.push_back({&planes, 1, 1.0F});
-    for (const LogitPlanes& planes : stack.levels) {
-        const float level = static_cast<float>(&planes - stack.levels.data());
-        sources.push_back({&planes, 1 << static_cast<int>(level), -level});
-    }
-    return sources;
-}
 
 std::vector<Source> sources_of(const LevelStack& stack, const FusionModel& model) {
     std::vector<Source> sources;
     for (int i = 0; i < model.n_levels; ++i) {
         const int halvings = model.reads_doubled ? i - 1 : i;
         if (halvings < 0 && !stack.doubled.empty()) {
-            sources.push_back({stack.doubled.data(), 1, 1.0F});
+            sources.push_back({stack.doubled.data(), 1});
             continue;
         }
         const int there = static_cast<int>(stack.levels.size()) - 1;
         const int level = std::clamp(halvings, 0, there);
-        sources.push_back({&stack.levels[static_cast<std::size_t>(level)], 1 << level, 0.0F});
+        sources.push_back({&stack.levels[static_cast<std::size_t>(level)], 1 << level});
     }
     return sources;
 }
@@ -125,31 +111,6 @@ void fuse_strip(const std::vector<Source>& sources, const FusionModel& model, co
     }
 }
 
-// Each scale by how near the rocks' diameter there is to the one it is best for.
-void weigh_strip(const std::vector<Source>& sources, const FusionModel& model,
-                 const FloatRaster& sizes, const cv::Rect& strip, EdgeField& field) {
-    const std::vector<cv::Mat> rows = strip_rows(sources, strip);
-    const auto centre = static_cast<float>(std::log2(model.centre));
-    const auto sharpness = static_cast<float>(0.5 / (model.spread * model.spread));
-    for (int y = 0; y < strip.height; ++y) {
-        const auto out = field_row(field, strip.y + y);
-        const float* size = sizes.row(strip.y + y);
-        for (int x = 0; x < strip.width; ++x) {
-            std::array<float, kFieldChannels> sum{};
-            float all = 0.0F;
-            for (std::size_t i = 0; i < sources.size(); ++i) {
-                const float off = size[x] + sources[i].scale - centre;
-                const float weight = std::exp(-sharpness * off * off) + 1e-9F;
-                all += weight;
-                for (std::size_t channel = 0; channel < sum.size(); ++channel)
-                    sum[channel] += weight * rows[i * sum.size() + channel].ptr<float>(y)[x];
-            }
-            for (std::size_t channel = 0; channel < sum.size(); ++channel)
-                out[channel][x] = 1.0F / (1.0F + std::exp(-sum[channel] / all));
-        }
-    }
-}
-
 template <class Body>
 void for_each_strip(int width, int height, Body&& body) {
     const int strips = (height + kStripRows - 1) / kStripRows;
@@ -173,17 +134,6 @@ FusionModel read_fusion(std::span<const double> numbers) {
     numbers = numbers.subspan(2);
     if (numbers[0] == 0.0)
         return model;
-    if (numbers[0] == -1.0) {
-        const bool fits = numbers.size() == 3 && numbers[1] >= 1 && numbers[1] <= 1e4 &&
-                          numbers[2] >= 0.1 && numbers[2] <= 10;
-        if (!fits)
-            fail<InvalidInput>(
-                "the fusion table needs a centre in [1, 10000] px and a spread in "
-                "[0.1, 10] after -1, and nothing else");
-        model.centre = numbers[1];
-        model.spread = numbers[2];
-        return model;
-    }
     model.network = read_mlp(numbers);
     for (std::size_t i = 1; i < model.network.layers.size(); ++i)
         if (model.network.layers[i].n_in != model.network.layers[i - 1].n_out)
@@ -205,19 +155,9 @@ EdgeField fuse_levels(LevelStack&& stack, const FusionModel& model) {
     const int width = stack.levels[0][0].width(), height = stack.levels[0][0].height();
     EdgeField field{FloatRaster(width, height), FloatRaster(width, height),
                     FloatRaster(width, height)};
-    const bool by_size = model.network.layers.empty() && model.centre > 0.0;
-    FusionModel first = model;
-    if (by_size)
-        first = {};  // the mean tells the sizes
-    const std::vector<Source> sources = sources_of(stack, first);
+    const std::vector<Source> sources = sources_of(stack, model);
     for_each_strip(width, height,
-                   [&](const cv::Rect& strip) { fuse_strip(sources, first, strip, field); });
-    if (!by_size)
-        return field;
-    const FloatRaster sizes = local_rock_sizes(field);
-    const std::vector<Source> all = all_sources(stack);
-    for_each_strip(width, height,
-                   [&](const cv::Rect& strip) { weigh_strip(all, model, sizes, strip, field); });
+                   [&](const cv::Rect& strip) { fuse_strip(sources, model, strip, field); });
     return field;
 }
 

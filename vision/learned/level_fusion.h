@@ -22,23 +22,19 @@ struct LevelStack {
     std::vector<LogitPlanes> levels;   ///< At 1, 1/2, 1/4 ...; at least one.
 };
 
-/// How the scales become one field: by a network, by the size of the rocks, or as their mean.
+/// How the scales become one field: by a network, or as their mean.
 struct FusionModel {
     bool reads_doubled = false;  ///< The picture at twice its size is a scale as well.
-    int n_levels = 3;   ///< Scales that a network or a mean reads, finest first; coarser ones serve
-                        ///< as stand-ins only.
-    Mlp network = {};   ///< 3 inputs a scale, logits cut at 8 either way.
-    double centre = 0;  ///< Without network and not 0: diameter at a scale that it is best for, px.
-                        ///< All scales are averaged, each with a weight that falls off as a
-                        ///< Gaussian of the binary logarithm of the local diameter there.
-    double spread = 1;  ///< Standard deviation of that Gaussian.
+    int n_levels =
+        3;  ///< Scales that are read, finest first; coarser ones serve as stand-ins only.
+    Mlp network = {};  ///< 3 inputs a scale, logits cut at 8 either way; empty: the mean.
 };
 
 /// The model that the library was built with.
 const FusionModel& shipped_fusion();
 
 /// Read whether the doubled scale is read, the number of scales, then the network by read_mlp(); a
-/// network without layers is written as the single number 0, or as -1, centre, spread.
+/// network without layers is written as the single number 0.
 /// @throw InvalidInput  a number is missing, or the network has not 3 inputs a scale and 3 outputs.
 FusionModel read_fusion(std::span<const double> numbers);
 

@@ -82,46 +82,6 @@ TEST(FuseLevels, MissingScalesHaveStandIns) {
             ASSERT_NEAR(field.inside(x, y), squashed(stack.levels[0][1](x, y)), 1e-6);
 }
 
-// Discs of one diameter under a distance channel that is true to them.
-LevelStack discs(double radius, float other_levels) {
-    LevelStack stack;
-    stack.levels.resize(3);
-    int side = 256;
-    for (LogitPlanes& planes : stack.levels) {
-        planes.fill(FloatRaster(side, side, other_levels));
-        side /= 2;
-    }
-    const auto logit = [](double p) { return static_cast<float>(std::log(p / (1.0 - p))); };
-    for (int level = 0; level < 3; ++level) {
-        LogitPlanes& planes = stack.levels[static_cast<std::size_t>(level)];
-        const double pitch = 2.5 * radius / (1 << level), r = radius / (1 << level);
-        for (int y = 0; y < planes[0].height(); ++y) {
-            for (int x = 0; x < planes[0].width(); ++x) {
-                const double u = std::fmod(x + 0.5, pitch) - pitch / 2;
-                const double v = std::fmod(y + 0.5, pitch) - pitch / 2;
-                const double depth = 1.0 - std::hypot(u, v) / r;
-                planes[0](x, y) = -4.0F;
-                planes[1](x, y) = depth > 0 ? 4.0F : -4.0F;
-                planes[2](x, y) = logit(std::clamp(depth, 0.01, 0.99));
-            }
-        }
-    }
-    return stack;
-}
-
-TEST(FuseLevels, TheScaleThatSuitsTheRocksCountsMost) {
-    // Boundary logits tell the scales apart: -4, -2, -1.
-    const auto boundary = [](double radius, double centre) {
-        LevelStack stack = discs(radius, 0.0F);
-        stack.levels[1][0] = FloatRaster(128, 128, -2.0F);
-        stack.levels[2][0] = FloatRaster(64, 64, -1.0F);
-        return fuse_levels(std::move(stack), {.centre = centre, .spread = 0.3}).boundary(128, 128);
-    };
-    EXPECT_NEAR(boundary(10, 20), squashed(-4), 0.02);
-    EXPECT_NEAR(boundary(10, 10), squashed(-2), 0.02);
-    EXPECT_NEAR(boundary(20, 10), squashed(-1), 0.02);
-}
-
 TEST(FuseLevels, SameBytesForAnyThreadCount) {
     const auto fused = [](int n_threads) {
         const ThreadLimit limit(n_threads);
@@ -139,11 +99,6 @@ TEST(ReadFusion, TakesATableThatFitsAndRefusesOthers) {
     EXPECT_EQ(read_fusion(table).network.n_in(), 3);
     table[1] = 2;  // two scales have six inputs
     EXPECT_THROW(read_fusion(table), InvalidInput);
-    const std::vector<double> by_size = {1, 3, -1, 20, 0.8};
-    EXPECT_EQ(read_fusion(by_size).centre, 20.0);
-    EXPECT_EQ(read_fusion(by_size).spread, 0.8);
-    EXPECT_THROW(read_fusion(std::vector<double>{1, 3, -1, 20}), InvalidInput);
-    EXPECT_THROW(read_fusion(std::vector<double>{1, 3, -1, 20, 0}), InvalidInput);
     EXPECT_THROW(read_fusion(std::vector<double>{0, 9, 0}), InvalidInput);
     EXPECT_THROW(read_fusion(std::vector<double>{0, 1}), InvalidInput);
     EXPECT_THROW(read_fusion(std::vector<double>{0, 1, 2, 3}), InvalidInput);
