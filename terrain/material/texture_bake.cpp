@@ -142,7 +142,7 @@ BakedGround bake_textures(const DescriptionMap& map, const std::vector<MaterialP
     return baked;
 }
 
-BakedGround bake_textures(const DescriptionMap& map, const BakeOptions& options) {
+BakedGround bake_texture_files(const DescriptionMap& map, const BakeOptions& options) {
     check(options);
     check_map(map, "the map to bake");
     std::vector<MaterialPictures> pictures;

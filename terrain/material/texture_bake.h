@@ -43,6 +43,6 @@ BakedGround bake_textures(const DescriptionMap& map, const std::vector<MaterialP
                           const BakeOptions& options = {});
 
 /// Read the textures of all materials and bake. @throw IoError, InvalidInput
-BakedGround bake_textures(const DescriptionMap& map, const BakeOptions& options = {});
+BakedGround bake_texture_files(const DescriptionMap& map, const BakeOptions& options = {});
 
 }  // namespace scree::terrain
