@@ -42,7 +42,7 @@ TEST_P(MaterialLayersSeeds, MixingKeepsMassAndThickness) {
     std::vector<std::vector<double>> before;
     for (std::size_t n = 0; n < 3; ++n)
         before.push_back(thickness(layers, n));
-    const MixReport report = mix_layers(layers, {.steps = 500, .sideways = 0.25, .downwards = 0.5});
+    const MixReport report = mix_layers(layers, {.steps = 60, .sideways = 0.25, .downwards = 0.5});
     for (std::size_t m = 0; m < 3; ++m)
         EXPECT_NEAR(report.after_m3[m], report.before_m3[m], 1e-13 * 17 * 13);
     for (std::size_t n = 0; n < 3; ++n) {
@@ -61,7 +61,7 @@ TEST(MaterialLayers, MixToOneMixtureEverywhere) {
     const double depth[] = {0.2};
     MaterialLayers layers = layers_of_map(map, depth);
     const double share = material_volumes(layers)[0] / (0.2 * 6 * 5 * 0.25 * 0.25);
-    mix_layers(layers, {.steps = 5000, .sideways = 0.2});
+    mix_layers(layers, {.steps = 2000, .sideways = 0.2});
     for (const double amount : layers.amounts[0][0])
         EXPECT_NEAR(amount, 0.2 * share, 1e-9);
 }
