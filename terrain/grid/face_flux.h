@@ -16,7 +16,7 @@ namespace scree::terrain {
 /// quanta on the result is only near `amount`.
 inline float quantised(float amount, float quantum) {
     const float shift = quantum * 8388608.0F;  // 2^23: floats from here on are quanta apart
-    return std::max((amount + (shift - 0.5F * quantum)) - shift, 0.0F);
+    return std::max(amount + (shift - 0.5F * quantum), shift) - shift;
 }
 
 /// Arc tangent of the square root of z in [0, 1], over that root; to 1.4e-7 rad.

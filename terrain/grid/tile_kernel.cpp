@@ -7,6 +7,7 @@
 #include "terrain/grid/tile_rows.h"
 
 #include <array>
+#include <type_traits>
 
 namespace scree::terrain {
 namespace {
@@ -24,10 +25,17 @@ struct Level {
     int begin = 0;
     int end = 0;
     bool last = false;
-    RowPair flux_z;     ///< Above and below the row.
+    RowPair flux_z;  ///< Above and below the row.
+};
+
+/// What a level carries along under a load.
+struct LoadLevel : Level {
     RowPair share;      ///< Of the row and the next.
     RowPair compacted;  ///< Of the row and the next.
 };
+
+template <bool kLoad>
+using LevelOf = std::conditional_t<kLoad, LoadLevel, Level>;
 
 /// Patch row y and the one above it, from column x on.
 [[gnu::always_inline]] inline Between rows_above(const Patch& patch, int y, int x) {
@@ -64,8 +72,8 @@ struct Level {
 
 /// Fluxes through the faces above row y, the level's next row.
 template <bool kWeighted, bool kPlanes, bool kLoad>
-[[gnu::always_inline]] inline void faces_above(const Arguments& a, const Level& level, int y,
-                                               float* flux) {
+[[gnu::always_inline]] inline void faces_above(const Arguments& a, const LevelOf<kLoad>& level,
+                                               int y, float* flux) {
     slide_row<kWeighted, kPlanes, kPatchWidth>(rows_above(a.patch, y, 0), a.patch.soil, a.rule,
                                                flux);
     if constexpr (kLoad)
@@ -74,10 +82,12 @@ template <bool kWeighted, bool kPlanes, bool kLoad>
 }
 
 template <bool kWeighted, bool kPlanes, bool kLoad>
-[[gnu::always_inline]] inline void begin_level(const Arguments& a, Level& level) {
+[[gnu::always_inline]] inline void begin_level(const Arguments& a, LevelOf<kLoad>& level) {
     const bool has_above = level.begin > a.patch.first_row;
     const float quantum = a.rule.quantum;
     if constexpr (kLoad) {
+        level.compacted.here->clear();  // stays if nothing is pressed together
+        level.compacted.next->clear();
         if (has_above)
             share_row(a.patch, level.begin - 1, quantum, level.share.here->at(0),
                       level.compacted.here->at(0));
@@ -86,6 +96,8 @@ template <bool kWeighted, bool kPlanes, bool kLoad>
     }
     if (has_above)
         faces_above<kWeighted, kPlanes, kLoad>(a, level, level.begin, level.flux_z.here->at(0));
+    else
+        level.flux_z.here->clear();
 }
 
 /// A row whose rim needs no care and which no load presses: two loops.
@@ -108,12 +120,14 @@ template <bool kWeighted, bool kPlanes>
 }
 
 template <bool kLoad>
-[[gnu::always_inline]] inline void update_level_row(const Arguments& a, const Level& level, int y,
-                                                    const Row& flux_x) {
+[[gnu::always_inline]] inline void update_level_row(const Arguments& a, const LevelOf<kLoad>& level,
+                                                    int y, const Row& flux_x) {
     float* u = a.patch.u + y * kPatchWidth;
     const auto fluxes = [&](int x) {
-        return RowFlux{flux_x.at(x), level.flux_z.here->at(x), level.flux_z.next->at(x),
-                       level.compacted.here->at(x)};
+        RowFlux flux{flux_x.at(x), level.flux_z.here->at(x), level.flux_z.next->at(x), nullptr};
+        if constexpr (kLoad)
+            flux.compacted = level.compacted.here->at(x);
+        return flux;
     };
     if (level.last)
         note_row(a.change, y - kHalo,
@@ -131,10 +145,10 @@ double tile_sum(const float* row) {
 }
 
 template <bool kWeighted, bool kPlanes, bool kLoad>
-[[gnu::always_inline]] inline void step_level_row(const Arguments& a, Level& level, int y) {
+[[gnu::always_inline]] inline void step_level_row(const Arguments& a, LevelOf<kLoad>& level, int y,
+                                                  Row& flux_x) {
     const Patch& patch = a.patch;
     const bool has_below = y + 1 < patch.rows_end;
-    Row flux_x;
     if constexpr (kLoad) {
         level.share.advance();
         level.compacted.advance();
@@ -151,27 +165,29 @@ template <bool kWeighted, bool kPlanes, bool kLoad>
     if (!two_loops && has_below)
         faces_above<kWeighted, kPlanes, kLoad>(a, level, y + 1, level.flux_z.next->at(0));
     else if (!has_below)
-        *level.flux_z.next = Row{};
+        level.flux_z.next->clear();
     hold_rim_columns(a, level.flux_z.here->at(0), level.flux_z.next->at(0), flux_x.at(0));
     if (two_loops)
         slide_level_row<kWeighted, kPlanes>(a, level, y, flux_x);
     else
         update_level_row<kLoad>(a, level, y, flux_x);
     const int tile_row = y - kHalo;
-    if (kLoad && patch.load.compaction.values && tile_row >= 0 && tile_row < kTileHeight)
-        a.change.compacted += tile_sum(level.compacted.here->at(0));
+    if constexpr (kLoad)
+        if (patch.load.compaction.values && tile_row >= 0 && tile_row < kTileHeight)
+            a.change.compacted += tile_sum(level.compacted.here->at(0));
     level.flux_z.advance();
 }
 
 template <bool kWeighted, bool kPlanes, bool kLoad>
 [[gnu::always_inline]] inline void step_rows(const Arguments& a) {
-    std::array<Level, kMostBlocked> levels;
+    std::array<LevelOf<kLoad>, kMostBlocked> levels;
+    Row flux_x;
     const PatchSteps& steps = a.steps;
     int first = kPatchHeight;
     int end = 0;
     for (int i = 0; i < steps.iterations; ++i) {
         const int left = steps.iterations - 1 - i;
-        Level& level = levels[static_cast<std::size_t>(i)];
+        LevelOf<kLoad>& level = levels[static_cast<std::size_t>(i)];
         level.begin = std::max(steps.first - left, steps.least_row);
         level.end = std::min(steps.end + left, steps.rows_bound);
         level.last = left == 0;
@@ -180,13 +196,13 @@ template <bool kWeighted, bool kPlanes, bool kLoad>
     }
     for (int front = first; front < end; ++front)
         for (int i = 0; i < steps.iterations; ++i) {
-            Level& level = levels[static_cast<std::size_t>(i)];
+            LevelOf<kLoad>& level = levels[static_cast<std::size_t>(i)];
             const int y = front - i;
             if (y < level.begin || y >= level.end)
                 continue;
             if (y == level.begin)
                 begin_level<kWeighted, kPlanes, kLoad>(a, level);
-            step_level_row<kWeighted, kPlanes, kLoad>(a, level, y);
+            step_level_row<kWeighted, kPlanes, kLoad>(a, level, y, flux_x);
         }
 }
 

@@ -13,15 +13,22 @@
 // into the functions that are built for several machines, which is why they lie in a header.
 namespace scree::terrain {
 
-/// One value per column, with memory before the first and after the last.
+/// One value per column, with memory before the first and after the last; those alone are set.
 class Row {
 public:
+    Row() {
+        std::fill_n(floats_, kBefore, 0.0F);
+        std::fill_n(at(kPatchWidth), kAfter, 0.0F);
+    }
+
     float* at(int column) { return floats_ + kBefore + column; }
     const float* at(int column) const { return floats_ + kBefore + column; }
+    void clear() { std::fill_n(at(0), kPatchWidth, 0.0F); }
 
 private:
     static constexpr int kBefore = 16;
-    alignas(64) float floats_[kBefore + kPatchWidth + 16] = {};
+    static constexpr int kAfter = 16;
+    alignas(64) float floats_[kBefore + kPatchWidth + kAfter];
 };
 
 /// This row's and the next one's, which changes places with it.
