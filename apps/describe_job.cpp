@@ -7,6 +7,7 @@
 #include "terrain/material/map_files.h"
 #include "terrain/material/map_rules.h"
 #include "terrain/material/materials_json.h"
+#include "terrain/material/published_set.h"
 #include "terrain/material/strokes.h"
 #include "terrain/material/texture_bake.h"
 #include "vision/image_io.h"
@@ -22,9 +23,10 @@ using terrain::DescriptionMap;
 constexpr double kSurfaceDepth = 1.0;  // metres; of the one layer that mixes
 
 // Everything that any run writes; what a run has no version of is taken away.
-constexpr const char* kAllFiles[] = {"params.exr",        "map_rgba.png",      "map_ids.txt",
-                                     "ground_albedo.png", "ground_normal.png", "ground_height.exr",
-                                     "ground.frag.glsl",  "ground.tese.glsl"};
+constexpr const char* kAllFiles[] = {
+    "params.exr",         "map_rgba.png",         "map_ids.txt",          "ground_albedo.png",
+    "ground_normal.png",  "ground_height.exr",    terrain::kFragmentFile, terrain::kEvaluationFile,
+    "channel_repose.png", "channel_mobility.png", "channel_diffusion.png"};
 
 /// Collects the files of a run.
 struct Output {
@@ -141,23 +143,30 @@ void mix(const DescribeJob& job, DescriptionMap& map) {
     map = terrain::surface_map(layers, kSurfaceDepth);
 }
 
-void write_rgba(const DescribeJob& job, DescribeReport& report, Output& out) {
-    if (job.options.rgba == RgbaExport::None)
+void write_published(const DescribeJob& job, DescribeReport& report, Output& out) {
+    const std::vector<std::string> shaders = {terrain::kFragmentFile, terrain::kEvaluationFile};
+    if (job.options.rgba != RgbaExport::None) {
+        const int bits = job.options.rgba == RgbaExport::Rgba8 ? 8 : 16;
+        report.exported =
+            terrain::stage_published_set(report.map, bits, out.folder, out.batch, job.shader);
+        out.files.insert(out.files.end(), {"map_rgba.png", "map_ids.txt"});
+    } else if (job.options.shaders) {
+        terrain::stage_shaders(report.map, out.folder, out.batch, job.shader);
+    } else {
         return;
-    report.exported.emplace();
-    const int bits = job.options.rgba == RgbaExport::Rgba8 ? 8 : 16;
-    const terrain::RgbaMap rgba = terrain::pack_map(report.map, bits, &*report.exported);
-    vision::write_rgba_png(out.stage("map_rgba.png"), rgba.picture);
-    const std::string ids = terrain::ids_to_text(rgba.ids, out.folder);
-    write_staged_file(out.stage("map_ids.txt"), std::string_view(ids));
+    }
+    out.files.insert(out.files.end(), shaders.begin(), shaders.end());
 }
 
-void write_shaders(const DescribeJob& job, const DescriptionMap& map, Output& out) {
-    if (!job.options.shaders)
+void write_channels(const DescribeJob& job, const DescriptionMap& map, Output& out) {
+    if (!job.options.channels)
         return;
-    const auto shaders = terrain::ground_shaders(map.materials, map.cell_size, job.shader);
-    write_staged_file(out.stage("ground.frag.glsl"), std::string_view(shaders.fragment));
-    write_staged_file(out.stage("ground.tese.glsl"), std::string_view(shaders.evaluation));
+    using terrain::MapChannel;
+    vision::write_png(out.stage("channel_repose.png"), channel_picture(map, MapChannel::Repose));
+    vision::write_png(out.stage("channel_mobility.png"),
+                      channel_picture(map, MapChannel::Mobility));
+    vision::write_png(out.stage("channel_diffusion.png"),
+                      channel_picture(map, MapChannel::Diffusion));
 }
 
 void write_baked(const DescribeJob& job, const DescriptionMap& map, Output& out) {
@@ -213,9 +222,9 @@ DescribeReport run_describe_job(const DescribeJob& job, Progress* progress) {
     if (planes)
         out.files.emplace_back("params.exr");
     vision::write_png(out.stage("description.png"), terrain::description_picture(report.map));
-    write_rgba(job, report, out);
+    write_published(job, report, out);
+    write_channels(job, report.map, out);
     write_baked(job, report.map, out);
-    write_shaders(job, report.map, out);
     check_inputs_stay(job, report.map, out);
     stop_if_cancelled(progress, "writing");
     out.batch.commit();

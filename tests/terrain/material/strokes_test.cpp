@@ -217,6 +217,17 @@ TEST(StrokesJson, IsTheSameAsTheStrokes) {
     EXPECT_TRUE(test::same_map(map, map_from_strokes(script, materials)));
 }
 
+TEST(StrokesJson, WritesWhatItReads) {
+    const auto materials = test::three_materials();
+    const std::string once = strokes_to_json(strokes_from_json(kScript, "s", materials));
+    const StrokeScript again = strokes_from_json(once, "again", materials);
+    EXPECT_EQ(strokes_to_json(again), once);
+    EXPECT_TRUE(
+        test::same_map(map_from_strokes(again, materials),
+                       map_from_strokes(strokes_from_json(kScript, "s", materials), materials)));
+    EXPECT_EQ(strokes_from_json(strokes_to_json({}), "none", materials).width, 0);
+}
+
 struct Wrong {
     const char* from;
     const char* to;
