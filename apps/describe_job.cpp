@@ -100,8 +100,11 @@ DescriptionMap imported_map(const DescribeJob& job, DescribeReport& report) {
 
 DescriptionMap map_of(const DescribeJob& job, DescribeReport& report, Output& out,
                       Progress* progress) {
-    if (!job.map.empty())
-        return terrain::read_description_map(job.map);
+    if (!job.map.empty()) {
+        DescriptionMap map = terrain::read_description_map(job.map);
+        map.cell_size = job.options.cell_size_m > 0.0 ? job.options.cell_size_m : map.cell_size;
+        return map;
+    }
     if (!job.painted.empty())
         return painted_map(job);
     if (!job.labels.empty())
@@ -169,7 +172,8 @@ void write_channels(const DescribeJob& job, const DescriptionMap& map, Output& o
                       channel_picture(map, MapChannel::Diffusion));
 }
 
-void write_baked(const DescribeJob& job, const DescriptionMap& map, Output& out) {
+void write_baked(const DescribeJob& job, const DescriptionMap& map, Output& out,
+                 Progress* progress) {
     if (job.options.bake == 0)
         return;
     std::vector<terrain::MaterialPictures> pictures;
@@ -181,7 +185,7 @@ void write_baked(const DescribeJob& job, const DescriptionMap& map, Output& out)
             pictures.back().albedo = out.texture;  // its file has a temporary name still
     }
     const terrain::BakedGround baked = terrain::bake_textures(
-        map, pictures, {.size = job.options.bake, .literal_hat = job.shader.literal_hat});
+        map, pictures, {.size = job.options.bake, .literal_hat = job.shader.literal_hat}, progress);
     vision::write_png(out.stage("ground_albedo.png"), baked.albedo);
     vision::write_data_png(out.stage("ground_normal.png"), baked.normal);
     vision::write_heights_exr(out.stage("ground_height.exr"), baked.displacement);
@@ -224,7 +228,7 @@ DescribeReport run_describe_job(const DescribeJob& job, Progress* progress) {
     vision::write_png(out.stage("description.png"), terrain::description_picture(report.map));
     write_published(job, report, out);
     write_channels(job, report.map, out);
-    write_baked(job, report.map, out);
+    write_baked(job, report.map, out, progress);
     check_inputs_stay(job, report.map, out);
     stop_if_cancelled(progress, "writing");
     out.batch.commit();
