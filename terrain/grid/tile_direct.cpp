@@ -58,19 +58,6 @@ template <bool kWeighted, bool kPlanes>
                          : 0.0F;
 }
 
-/// Ask for the memory of a row to come. The rows of a base are far apart, where no machine looks
-/// ahead by itself.
-[[gnu::always_inline]] inline void fetch_row(const DirectArguments& a, int y) {
-#if defined(__GNUC__)
-    if (y >= kTileHeight)
-        return;
-    constexpr int kLine = 16;  // floats
-    for (int x = 0; x < kTileWidth; x += kLine) {
-        __builtin_prefetch(a.tile.base.row(y) + x, 0, 2);
-    }
-#endif
-}
-
 template <bool kWeighted, bool kPlanes>
 [[gnu::always_inline]] inline void step_direct_rows(const DirectArguments& a) {
     Row flux_x;
@@ -81,7 +68,8 @@ template <bool kWeighted, bool kPlanes>
     else
         flux_z.here->clear();
     for (int y = a.begin; y < a.end; ++y) {
-        fetch_row(a, y + kRowsAhead);
+        if (y + kRowsAhead < kTileHeight)
+            fetch_row(a.tile.base.row(y + kRowsAhead), kTileWidth);
         direct_faces_left<kWeighted, kPlanes>(a, y, flux_x.at(0));
         const RowFlux fluxes{flux_x.at(0), flux_z.here->at(0), flux_z.next->at(0), nullptr};
         float* out = a.out + y * kTileWidth;

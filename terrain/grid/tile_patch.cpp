@@ -156,6 +156,12 @@ Patch PatchScratch::prepare(const Heightfield& base, const TileStore& store, con
     const CellWindow read{window.x, window.y + rows.first, window.width, rows.end - rows.first};
     const std::ptrdiff_t start = rows.first * kPatchWidth;
     store.read(read, patch.u + start, kPatchWidth);
+    if (window.x > 0 && read.y >= 0 && window.x + window.width <= heights.width() &&
+        read.y + read.height <= heights.height()) {
+        patch.base = {heights.row(read.y) + window.x - std::ptrdiff_t{rows.first} * heights.width(),
+                      heights.width()};
+        return patch;
+    }
     float* copy = plane(kBase);
     const CellWindow part = intersection(read, {0, 0, heights.width(), heights.height()});
     if (part != read)
