@@ -23,6 +23,12 @@ std::span<const Command> commands() {
         {{"procedural", "make rocks from spherical noise, without a photograph",
           "scree procedural -o rock.glb --seed 7 --count 9 --picture rocks.png", ""},
          run_procedural},
+        {{"deform", "press, roll and drag objects over ground that gives way",
+          "scree deform testdata/scenes/sand.json -o out",
+          "Writes ddh.exr (displacements) and height.exr in metres, terrain.glb, frames, "
+          "preview.gif "
+          "and report.json: all of them, or none if it is stopped."},
+         run_deform},
         {{"score", "compare label maps with hand-made ones", "scree score out/labels.png truth.png",
           "Several pairs give a line each and their mean. Label maps have one channel of 8 or 16 "
           "bits; 0 is background and every other value one rock."},

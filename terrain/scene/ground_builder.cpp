@@ -19,8 +19,8 @@ namespace {
 constexpr double kRadians = std::numbers::pi / 180.0;
 
 double ripple(const GroundShape& shape, const glm::dvec2& along) {
-    const double bend = plane_noise(along.x / (3.0 * shape.length_m),
-                                    along.y / (5.0 * shape.length_m), shape.seed);
+    const double bend =
+        plane_noise(along.x / (3.0 * shape.length_m), along.y / (5.0 * shape.length_m), shape.seed);
     const double phase = along.x / shape.length_m + 0.6 * bend;
     const double t = phase - std::floor(phase);
     const double lee = 0.3;  // share of a wave that is its steeper side
@@ -28,8 +28,8 @@ double ripple(const GroundShape& shape, const glm::dvec2& along) {
     return shape.height_m * (wave * wave * (3.0 - 2.0 * wave) - 0.5);
 }
 
-// A crescent whose crest runs through its centre: a parabola's rise to the crest, a straight fall at
-// the lee slope beyond; both lower towards the horns, which lie further downwind.
+// A crescent whose crest runs through its centre: a parabola's rise to the crest, a straight fall
+// at the lee slope beyond; both lower towards the horns, which lie further downwind.
 double dune(const GroundShape& shape, const glm::dvec2& along) {
     const double half = 0.5 * shape.length_m;
     const double across = along.y / half;
@@ -54,8 +54,8 @@ double shape_height(const GroundShape& shape, const glm::dvec2& place) {
         case GroundShape::Kind::Ripples:
             return ripple(shape, along);
         case GroundShape::Kind::Pile:
-            return std::max(0.0, shape.height_m -
-                                     glm::length(away) * std::tan(shape.slope_deg * kRadians));
+            return std::max(
+                0.0, shape.height_m - glm::length(away) * std::tan(shape.slope_deg * kRadians));
         case GroundShape::Kind::Dune:
             return dune(shape, along);
         case GroundShape::Kind::Ramp:
@@ -75,8 +75,8 @@ FloatRaster picture_heights(const Scene& scene) {
     vision::HeightImage picture;
     try {
         picture = vision::read_heights(
-            scene.ground.heights, {.max_pixels = static_cast<double>(kMaxGroundSide) *
-                                                 kMaxGroundSide});
+            scene.ground.heights,
+            {.max_pixels = static_cast<double>(kMaxGroundSide) * kMaxGroundSide});
     } catch (const InvalidInput& error) {
         fail<InvalidInput>(name, ": ", error.what());
     }
@@ -106,23 +106,24 @@ bool inside(const MaterialRegion& region, const glm::dvec2& place) {
 
 void paint(const Scene& scene, DescriptionMap& map) {
     const double size = map.cell_size;
-    parallel_for_each_index(0, static_cast<std::size_t>(map.ids.height()), 16, [&](std::size_t row) {
-        const int y = static_cast<int>(row);
-        for (int x = 0; x < map.ids.width(); ++x) {
-            const glm::dvec2 centre((x + 0.5) * size, (y + 0.5) * size);
-            for (const MaterialRegion& region : scene.regions) {
-                glm::dvec2 place = centre;
-                if (region.ragged_m > 0.0) {
-                    const glm::dvec2 at = centre / (2.5 * region.ragged_m);
-                    place += region.ragged_m *
-                             glm::dvec2(fractal_noise(at.x, at.y, 5, scene.seed + 101),
-                                        fractal_noise(at.x, at.y, 5, scene.seed + 202));
+    parallel_for_each_index(
+        0, static_cast<std::size_t>(map.ids.height()), 16, [&](std::size_t row) {
+            const int y = static_cast<int>(row);
+            for (int x = 0; x < map.ids.width(); ++x) {
+                const glm::dvec2 centre((x + 0.5) * size, (y + 0.5) * size);
+                for (const MaterialRegion& region : scene.regions) {
+                    glm::dvec2 place = centre;
+                    if (region.ragged_m > 0.0) {
+                        const glm::dvec2 at = centre / (2.5 * region.ragged_m);
+                        place += region.ragged_m *
+                                 glm::dvec2(fractal_noise(at.x, at.y, 5, scene.seed + 101),
+                                            fractal_noise(at.x, at.y, 5, scene.seed + 202));
+                    }
+                    if (inside(region, place))
+                        map.ids(x, y) = static_cast<std::uint8_t>(region.material);
                 }
-                if (inside(region, place))
-                    map.ids(x, y) = static_cast<std::uint8_t>(region.material);
             }
-        }
-    });
+        });
 }
 
 }  // namespace
@@ -153,10 +154,11 @@ DescriptionMap build_map(const Scene& scene, const Heightfield& heights) {
     if (!scene.map.empty())
         return read_description_map(scene.map);
     DescriptionMap map;
-    map.cell_size = heights.cell_size;
     map.materials = scene.materials;
-    // One soil everywhere needs no raster as large as the ground.
+    // One soil everywhere needs one cell, not a raster as large as the ground.
     const bool painted = !scene.regions.empty();
+    map.cell_size = heights.cell_size *
+                    (painted ? 1 : std::max(heights.heights.width(), heights.heights.height()));
     const auto first = static_cast<std::uint8_t>(scene.materials.front().id);
     map.ids = Raster<std::uint8_t>(painted ? heights.heights.width() : 1,
                                    painted ? heights.heights.height() : 1, first);

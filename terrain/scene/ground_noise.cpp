@@ -14,9 +14,9 @@ std::uint64_t mixed(std::uint64_t v) {
 }
 
 double corner(std::int64_t ix, std::int64_t iy, double dx, double dy, std::uint64_t seed) {
-    const std::uint64_t key = mixed(mixed(mixed(seed + 0x9E3779B97F4A7C15ULL) ^
-                                          static_cast<std::uint64_t>(ix)) ^
-                                    (static_cast<std::uint64_t>(iy) << 1));
+    const std::uint64_t key =
+        mixed(mixed(mixed(seed + 0x9E3779B97F4A7C15ULL) ^ static_cast<std::uint64_t>(ix)) ^
+              (static_cast<std::uint64_t>(iy) << 1));
     const double angle = 2.0 * std::numbers::pi * static_cast<double>(key >> 11) * 0x1.0p-53;
     return std::cos(angle) * dx + std::sin(angle) * dy;
 }

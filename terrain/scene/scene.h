@@ -33,11 +33,11 @@ struct GroundShape {
     };
     Kind kind = Kind::Hills;
     glm::dvec2 centre_m{0.0};
-    double height_m = 0.1;         ///< Of the top; of hills and ripples, from trough to crest.
-    double length_m = 1.0;         ///< Wavelength, or width at the foot.
-    double slope_deg = 30.0;       ///< Of a pile's flank, a dune's lee side or a ramp.
-    double direction_deg = 0.0;    ///< Where a dune's lee side faces, a ramp rises, waves run.
-    int octaves = 4;               ///< Of hills.
+    double height_m = 0.1;       ///< Of the top; of hills and ripples, from trough to crest.
+    double length_m = 1.0;       ///< Wavelength, or width at the foot.
+    double slope_deg = 30.0;     ///< Of a pile's flank, a dune's lee side or a ramp.
+    double direction_deg = 0.0;  ///< Where a dune's lee side faces, a ramp rises, waves run.
+    int octaves = 4;             ///< Of hills.
     std::uint64_t seed = 0;
 };
 
@@ -83,7 +83,7 @@ struct SceneCamera {
     double azimuth_deg = 25.0;
     double elevation_deg = 35.0;
     double field_of_view_deg = 32.0;
-    std::optional<glm::dvec3> eye_m;     ///< Both or none; none sees the whole ground.
+    std::optional<glm::dvec3> eye_m;  ///< Both or none; none sees the whole ground.
     std::optional<glm::dvec3> target_m;
     double light_azimuth_deg = -55.0;
     double light_elevation_deg = 32.0;
@@ -91,22 +91,22 @@ struct SceneCamera {
 
 /// What a run writes beside the height maps.
 struct SceneOutputs {
-    int picture_width = 640;    ///< px
-    int picture_height = 400;   ///< px
-    int every = 1;              ///< Frames from one picture to the next.
-    int preview_width = 360;    ///< px, of the animated preview.
-    int mesh_side = 320;        ///< Most vertices along a side of terrain.glb.
-    int texture_side = 1024;    ///< Of its colour picture, px.
+    int picture_width = 640;   ///< px
+    int picture_height = 400;  ///< px
+    int every = 1;             ///< Frames from one picture to the next.
+    int preview_width = 360;   ///< px, of the animated preview.
+    int mesh_side = 320;       ///< Most vertices along a side of terrain.glb.
+    int texture_side = 1024;   ///< Of its colour picture, px.
 };
 
 /// Everything a run needs (docs/scene-files.md).
 struct Scene {
     std::string source;  ///< Name in messages.
     GroundSpec ground;
-    std::vector<Material> materials;         ///< In order of id; empty with a map file.
-    std::filesystem::path map;               ///< A description map's materials.json, or empty.
-    std::vector<MaterialRegion> regions;     ///< Over the first material.
-    std::map<std::string, double> bearing;   ///< Stiffness by material name, kPa a metre of depth.
+    std::vector<Material> materials;        ///< In order of id; empty with a map file.
+    std::filesystem::path map;              ///< A description map's materials.json, or empty.
+    std::vector<MaterialRegion> regions;    ///< Over the first material.
+    std::map<std::string, double> bearing;  ///< Stiffness by material name, kPa a metre of depth.
     std::vector<SceneObject> objects;
     DeformerOptions deformer;
     ContactOptions contact;

@@ -5,6 +5,7 @@
 #include "terrain/material/materials_json.h"
 #include "terrain/scene/scene_json.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace scree::terrain {
@@ -60,10 +61,8 @@ constexpr double kBounds[] = {0.25, 0.25, 0.125};  // of Slide's values
 void read_materials_member(const json& value, const JsonPlace& place, const fs::path& folder,
                            Scene& scene) {
     list_of(value, place, 256);
-    const json table = {{"format", "scree-materials"},
-                        {"version", 1},
-                        {"cell_size", 1.0},
-                        {"materials", value}};
+    const json table = {
+        {"format", "scree-materials"}, {"version", 1}, {"cell_size", 1.0}, {"materials", value}};
     scene.materials =
         materials_from_json(table.dump(-1, ' ', false, json::error_handler_t::replace),
                             place.source, folder)
@@ -74,8 +73,8 @@ void read_materials_member(const json& value, const JsonPlace& place, const fs::
         const MaterialTextures& textures = scene.materials[i].textures;
         for (const fs::path& file : {textures.albedo, textures.displacement, textures.normal})
             if (!file.empty())
-                scene.files.emplace_back(file, place.text() + " (textures of " +
-                                                   scene.materials[i].name + ")");
+                scene.files.emplace_back(
+                    file, place.text() + " (textures of " + scene.materials[i].name + ")");
     }
 }
 
@@ -113,8 +112,7 @@ SceneCamera camera_from(const json& value, const JsonPlace& place) {
     SceneCamera camera;
     camera.azimuth_deg = object.number("azimuth_deg", camera.azimuth_deg, -360, 360);
     camera.elevation_deg = object.number("elevation_deg", camera.elevation_deg, 5, 89);
-    camera.field_of_view_deg =
-        object.number("field_of_view_deg", camera.field_of_view_deg, 1, 120);
+    camera.field_of_view_deg = object.number("field_of_view_deg", camera.field_of_view_deg, 1, 120);
     camera.light_azimuth_deg =
         object.number("light_azimuth_deg", camera.light_azimuth_deg, -360, 360);
     camera.light_elevation_deg =
@@ -159,7 +157,7 @@ void read_ground_members(JsonObject& object, const fs::path& folder, Scene& scen
     else if (materials != nullptr)
         read_materials_member(*materials, object.at("materials"), folder, scene);
     else
-        scene.materials = {{.id = 0, .name = "sand", .soil = kSand}};
+        scene.materials.emplace_back().name = "sand";
     if (const json* regions = object.find("regions")) {
         list_of(*regions, object.at("regions"), 10'000);
         if (map != nullptr)
@@ -219,8 +217,8 @@ Scene scene_from_json(std::string_view text, const std::string& source, const fs
 }
 
 Scene read_scene(const fs::path& path) {
-    Scene scene = scene_from_json(read_whole_file(path, kMaxSceneBytes), path.string(),
-                                  path.parent_path());
+    Scene scene =
+        scene_from_json(read_whole_file(path, kMaxSceneBytes), path.string(), path.parent_path());
     for (const auto& [file, place] : scene.files) {
         std::error_code ignored;
         if (!fs::is_regular_file(file, ignored))

@@ -13,8 +13,8 @@ inline constexpr std::size_t kMaxSceneBytes = std::size_t{4} << 20;
 inline constexpr std::size_t kMaxSceneObjects = 256;
 inline constexpr std::size_t kMaxMotionKeys = 100'000;
 
-/// Read a scene (docs/scene-files.md). Every member is known, typed and in range; paths are resolved
-/// against `folder` and not opened.
+/// Read a scene (docs/scene-files.md). Every member is known, typed and in range; paths are
+/// resolved against `folder` and not opened.
 /// @param source  Name of the text in messages.
 /// @throw InvalidInput  names source and JSON path: no JSON, another format or version, a member
 ///                      missing, unknown, given twice, of another type or out of range, a material

@@ -31,7 +31,8 @@ GroundShape ground_shape_from(const json& value, const JsonPlace& place) {
     if (const json* seed = object.find("seed"))
         shape.seed = static_cast<std::uint64_t>(
             integer_of(*seed, object.at("seed"), 0, std::numeric_limits<int>::max()));
-    const bool steep = shape.kind == GroundShape::Kind::Pile || shape.kind == GroundShape::Kind::Dune;
+    const bool steep =
+        shape.kind == GroundShape::Kind::Pile || shape.kind == GroundShape::Kind::Dune;
     if (steep && !(shape.slope_deg >= 1.0))
         fail<InvalidInput>(object.at("slope_deg").text(), " is ", shape.slope_deg,
                            ", a flank needs at least 1");
@@ -54,8 +55,7 @@ GroundSpec ground_from(const json& value, const JsonPlace& place,
                        const std::filesystem::path& folder, Scene& scene) {
     JsonObject object(value, place);
     GroundSpec ground;
-    ground.cell_size_m =
-        number_of(object.get("cell_size_m"), object.at("cell_size_m"), 1e-6, 1e6);
+    ground.cell_size_m = number_of(object.get("cell_size_m"), object.at("cell_size_m"), 1e-6, 1e6);
     if (const json* heights = object.find("heights")) {
         ground.heights = file_of(*heights, object.at("heights"), folder, scene);
         ground.width = ground.height = 0;  // the picture's

@@ -5,6 +5,7 @@
 #include "terrain/scene/scene.h"
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -38,9 +39,8 @@ void read_options(JsonObject& object, Options& options) {
         else if constexpr (std::is_same_v<Value, bool>)
             value = object.flag(member, value);
         else if constexpr (std::is_integral_v<Value>)
-            value = static_cast<Value>(integer_of(*found, object.at(member),
-                                                  static_cast<int>(info.min),
-                                                  static_cast<int>(info.max)));
+            value = static_cast<Value>(integer_of(
+                *found, object.at(member), static_cast<int>(info.min), static_cast<int>(info.max)));
         else
             value = number_of(*found, object.at(member), info.min, info.max);
     });

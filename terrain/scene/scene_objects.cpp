@@ -2,6 +2,7 @@
 #include "terrain/scene/scene_file.h"
 #include "terrain/scene/scene_json.h"
 
+#include <algorithm>
 #include <numbers>
 
 #include <glm/ext/quaternion_trigonometric.hpp>
@@ -13,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kFar = 1e6;           // metres or seconds
+constexpr double kFar = 1e6;  // metres or seconds
 constexpr double kRadians = std::numbers::pi / 180.0;
 constexpr std::string_view kShapes[] = {"sphere", "box", "tyre", "boot", "mesh"};
 constexpr std::string_view kRides[] = {"path", "sink", "weight"};
