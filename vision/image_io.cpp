@@ -183,6 +183,10 @@ PhotoFile read_photo(const fs::path& path, const ReadLimits& limits) {
     return file;
 }
 
+int count_channels(const fs::path& path, const ReadLimits& limits) {
+    return open_picture(path, limits)->spec().nchannels;
+}
+
 LabelMap read_labels(const fs::path& path, const ReadLimits& limits) {
     if (const int bits = read_picture_header(path).bits; bits > 0 && bits < 8)
         fail<InvalidInput>(path.string(), " is no label map: it has ", bits,

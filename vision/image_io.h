@@ -56,6 +56,9 @@ struct NamedPlane {
 /// numbers.
 PhotoFile read_photo(const std::filesystem::path& path, const ReadLimits& limits = {});
 
+/// How many channels a picture has. @throw IoError, InvalidInput  as read_photo().
+int count_channels(const std::filesystem::path& path, const ReadLimits& limits = {});
+
 /// Read a label map: one channel of 8 or 16 bits, values kept as they are.
 LabelMap read_labels(const std::filesystem::path& path, const ReadLimits& limits = {});
 

@@ -19,21 +19,33 @@ inline float quantised(float amount, float quantum) {
     return nearest > amount ? nearest - quantum : nearest;
 }
 
-/// Arc tangent to 1.4e-7 rad without branches or calls, so that loops over it vectorise.
-/// @pre  tangent >= 0.
-inline float arctangent(float tangent) {
-    const bool steep = tangent > 1.0F;
-    const float x = steep ? 1.0F / tangent : tangent;
-    const float z = x * x;
-    float sum = -0.00455979199F;  // through atan(sqrt z) / sqrt z at the Chebyshev nodes of [0, 1]
+/// Arc tangent of the square root of z in [0, 1], over that root; to 1.4e-7 rad.
+inline float arctangent_series(float z) {
+    float sum = -0.00455979199F;  // interpolates at the Chebyshev nodes of [0, 1]
     sum = sum * z + 0.0237805186F;
     sum = sum * z - 0.0588297531F;
     sum = sum * z + 0.0986886546F;
     sum = sum * z - 0.140032902F;
     sum = sum * z + 0.199669618F;
     sum = sum * z - 0.333318127F;
-    sum = sum * z + 0.999999882F;
-    const float angle = sum * x;
+    return sum * z + 0.999999882F;
+}
+
+/// Arc tangent without branches or calls, so that loops over it vectorise.
+/// @pre  tangent >= 0.
+inline float arctangent(float tangent) {
+    const bool steep = tangent > 1.0F;
+    const float x = steep ? 1.0F / tangent : tangent;
+    const float angle = arctangent_series(x * x) * x;
+    return steep ? 1.57079633F - angle : angle;
+}
+
+/// Arc tangent of the square root.
+/// @pre  square >= 0.
+inline float arctangent_of_root(float square) {
+    const bool steep = square > 1.0F;
+    const float z = steep ? 1.0F / square : square;
+    const float angle = arctangent_series(z) * std::sqrt(z);
     return steep ? 1.57079633F - angle : angle;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "terrain/material/description_map.h"
+#include "terrain/material/material_pictures.h"
 
 #include <span>
 #include <string>
@@ -39,7 +40,7 @@ void describe(ShaderOptions& o, Visitor&& field) {
 ///   uniform usampler2D scree_ids;             the ids, GL_R8UI, never filtered
 ///   uniform sampler2D  scree_albedo[A];       GL_SRGB8, repeating, trilinear
 ///   uniform sampler2D  scree_normal[N];       linear colours, repeating, trilinear
-///   uniform sampler2D  scree_displacement[D]; GL_R32F or R16F, metres, repeating
+///   uniform sampler2D  scree_displacement[D]; GL_R32F, metres, repeating: read_displacement()
 /// (`sampler2DArray` without the brackets for Layers). A sampler whose list below is empty is not
 /// declared. Entry i of a list is the place in the map's table of the material that texture i
 /// belongs to. A material without a texture has its plain colour, a flat normal or no displacement.
@@ -62,10 +63,5 @@ struct GroundShaders {
 /// @throw InvalidOption  a value is out of its range.
 GroundShaders ground_shaders(const std::vector<Material>& materials, double cell_size,
                              const ShaderOptions& options = {});
-
-/// Displacement of a material's texture, metres: what scree_displacement holds. Pictures without a
-/// scale of their own are shares of `displacement_m`.
-/// @throw IoError, InvalidInput
-FloatRaster read_displacement(const MaterialTextures& textures);
 
 }  // namespace scree::terrain

@@ -27,8 +27,10 @@ std::string shortened(const std::string& text) {
 // Follows the parser: it keeps the last of two members of one name, silently.
 class Watcher {
 public:
-    explicit Watcher(const std::string& source) : source_(source) {}
+    Watcher(const std::string& source, const StreamedList& streamed)
+        : source_(source), streamed_(streamed) {}
 
+    /// False if what just ended need not be kept.
     bool operator()(int depth, json::parse_event_t event, json& parsed) {
         if (depth > kDeepest)
             fail<InvalidInput>(source_, " nests deeper than ", kDeepest, " levels");
@@ -36,18 +38,43 @@ public:
             seen_.emplace_back();
         if (event == json::parse_event_t::object_end)
             seen_.pop_back();
-        if (event == json::parse_event_t::key) {
-            const auto& name = parsed.get_ref<const std::string&>();
-            if (!seen_.back().insert(name).second)
-                fail<InvalidInput>(source_, " gives the member ", quoted(shortened(name)),
-                                   " twice in one object");
-        }
-        return true;
+        if (event == json::parse_event_t::key)
+            note(depth, parsed.get_ref<const std::string&>());
+        return streamed_.list.empty() || member_ != streamed_.list || stream(depth, event, parsed);
     }
 
 private:
+    void note(int depth, const std::string& name) {
+        if (!seen_.back().insert(name).second)
+            fail<InvalidInput>(source_, " gives the member ", quoted(shortened(name)),
+                               " twice in one object");
+        if (depth == 1)
+            member_ = name;
+    }
+
+    // The list is the value of a member of the root, so its entries stand at depth 2.
+    bool stream(int depth, json::parse_event_t event, json& parsed) {
+        using Event = json::parse_event_t;
+        const JsonPlace place{source_,
+                              std::string(streamed_.list) + "[" + std::to_string(index_) + "]"};
+        const bool entry = depth == 2 && (event == Event::value || event == Event::array_start);
+        if (entry)
+            fail<InvalidInput>(place.text(), " must be an object");
+        if (++n_values_ > streamed_.largest)
+            fail<InvalidInput>(place.text(), " holds more than ", streamed_.largest, " values");
+        if (depth != 2 || event != Event::object_end)
+            return true;
+        streamed_.take(parsed, index_++);
+        n_values_ = 0;
+        return false;
+    }
+
     const std::string& source_;
+    const StreamedList& streamed_;
     std::vector<std::set<std::string>> seen_;
+    std::string member_;  // of the root, that is being read
+    std::size_t index_ = 0;
+    std::size_t n_values_ = 0;
 };
 
 }  // namespace
@@ -57,7 +84,11 @@ std::string quoted(const std::string& text) {
 }
 
 json parse_strict(std::string_view text, const std::string& source) {
-    Watcher watcher(source);
+    return parse_strict(text, source, StreamedList{});
+}
+
+json parse_strict(std::string_view text, const std::string& source, const StreamedList& streamed) {
+    Watcher watcher(source, streamed);
     try {
         return json::parse(text, [&](int depth, json::parse_event_t event, json& parsed) {
             return watcher(depth, event, parsed);
@@ -169,6 +200,19 @@ void JsonObject::finish() const {
         fail<InvalidInput>(place_.text(), " has the unknown member ",
                            quoted(shortened(member.key())), "; known are ", known);
     }
+}
+
+int material_id(const json& value, const JsonPlace& place, const std::vector<Material>& materials) {
+    const bool by_name = value.is_string();
+    if (!by_name && !value.is_number_integer())
+        refuse_kind(place, value, "the name or the id of a material");
+    const std::string name = by_name ? text_of(value, place) : std::string();
+    const int id = by_name ? 0 : integer_of(value, place, 0, 255);
+    for (const Material& material : materials)
+        if (by_name ? material.name == name : material.id == id)
+            return material.id;
+    fail<InvalidInput>(place.text(), " is ", by_name ? quoted(shortened(name)) : std::to_string(id),
+                       ", which is no material of the table");
 }
 
 void check_format(JsonObject& object, std::string_view format) {

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "terrain/material/description_map.h"
+
 #include <cstddef>
+#include <functional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -14,6 +17,17 @@ namespace scree::terrain {
 /// Parse text, refusing members given twice and nesting deeper than 16.
 /// @throw InvalidInput  names `source` and the line.
 nlohmann::json parse_strict(std::string_view text, const std::string& source);
+
+/// The same for a file with one long list at its top: each entry of `list`, which must be an object
+/// of at most `largest` values and members, is handed to `take` as it ends and then forgotten, so
+/// that memory stays small. The list comes back empty.
+struct StreamedList {
+    std::string_view list;
+    std::size_t largest = 0;
+    std::function<void(const nlohmann::json& entry, std::size_t index)> take;
+};
+nlohmann::json parse_strict(std::string_view text, const std::string& source,
+                            const StreamedList& streamed);
 
 /// Where a value stands: file and path, such as `materials.json: materials[2].mobility`.
 struct JsonPlace {
@@ -64,6 +78,10 @@ private:
     JsonPlace place_;
     std::set<std::string, std::less<>> asked_;
 };
+
+/// The id of a material given by its name or by its id. @throw InvalidInput  there is none.
+int material_id(const nlohmann::json& value, const JsonPlace& place,
+                const std::vector<Material>& materials);
 
 /// Check the members `format` and `version` (1) that open every file of ours.
 void check_format(JsonObject& object, std::string_view format);

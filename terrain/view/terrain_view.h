@@ -34,13 +34,12 @@ constexpr std::span<const std::string_view> names_of(RefineAt) {
 struct TerrainViewOptions {
     int width = 960;               ///< px
     int height = 600;              ///< px
-    int samples = 4;               ///< Of a pixel's edges; 1 leaves them jagged.
+    int supersampling = 2;         ///< Samples along each side of a pixel.
     int lattice = 0;               ///< Patches along the longer side; 0 follows the picture.
     double tessellation = 4.0;     ///< T of (4.14): a patch at the reference has T + 1 parts.
     double refine_radius_m = 0.0;  ///< k of (4.14); 0 takes half the longer side.
     RefineAt refine_at = RefineAt::Camera;
-    double near_m = 0.0;       ///< r1 of C.12; 0: where grains are too small to need meshes.
-    double far_m = 0.0;        ///< r2 of C.12; 0: where a cell is smaller than half a pixel.
+    double far_m = 0.0;        ///< r2 of C.12; 0: where a cell is an eighth of a pixel.
     double contour_m = 0.0;    ///< Between contour lines; 0 picks a round number.
     int shadow_size = 2048;    ///< Side of the shadow map, texels.
     bool ground_block = true;  ///< Close the ground's sides down to a flat underside.
@@ -51,16 +50,15 @@ void describe(TerrainViewOptions& o, Visitor&& field) {
     field("width", o.width, {.min = 16, .max = 8192, .unit = "px", .help = "width of the picture"});
     field("height", o.height,
           {.min = 16, .max = 8192, .unit = "px", .help = "height of the picture"});
-    field("samples", o.samples, {.min = 1, .max = 16, .help = "samples of a pixel's edges"});
+    field("supersampling", o.supersampling,
+          {.min = 1, .max = 4, .help = "samples along each side of a pixel"});
     field("lattice", o.lattice,
-          {.min = 0, .max = 4096, .help = "patches along the longer side; 0 follows the picture"});
+          {.min = 0, .max = 2048, .help = "patches along the longer side; 0 follows the picture"});
     field("tessellation", o.tessellation,
           {.min = 0, .max = 64, .help = "parts that the finest patches are cut into"});
     field("refine-radius", o.refine_radius_m,
           {.min = 0, .max = 1e6, .unit = "m", .help = "radius of the refined ground; 0 is half"});
     field("refine-at", o.refine_at, {.help = "what the ground is refined round"});
-    field("near", o.near_m,
-          {.min = 0, .max = 1e6, .unit = "m", .help = "end of the near range; 0 picks it"});
     field("far", o.far_m,
           {.min = 0, .max = 1e6, .unit = "m", .help = "beyond it normals alone; 0 picks it"});
     field("contour", o.contour_m,

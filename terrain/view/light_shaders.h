@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string_view>
+
+namespace scree::terrain {
+
+/// Sun, sky, the objects' shadow and the curve from light to picture, shared by all that is drawn:
+/// `vec3 lit_colour(albedo, normal, open, sun, roughness, world)`, `float object_shadow(world)`,
+/// `vec3 shown(colour)`, `float patches(at)`.
+std::string_view light_glsl();
+
+}  // namespace scree::terrain
