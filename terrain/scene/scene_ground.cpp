@@ -40,15 +40,6 @@ GroundShape ground_shape_from(const json& value, const JsonPlace& place) {
     return shape;
 }
 
-int material_id(const json& value, const JsonPlace& place, const std::vector<Material>& materials) {
-    const std::string name = text_of(value, place);
-    for (const Material& material : materials)
-        if (material.name == name)
-            return material.id;
-    fail<InvalidInput>(place.text(), " is ", quoted(name.substr(0, 64)),
-                       ", which is no name in materials");
-}
-
 }  // namespace
 
 GroundSpec ground_from(const json& value, const JsonPlace& place,

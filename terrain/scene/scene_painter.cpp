@@ -1,8 +1,8 @@
 #include "terrain/scene/scene_painter.h"
 
 #include "meshing/render/raster_view.h"
-#include "terrain/material/map_check.h"
 #include "terrain/scene/ground_mesh.h"
+#include "terrain/view/terrain_view.h"
 #include "vision/image_io.h"
 
 #include <algorithm>
@@ -15,15 +15,24 @@ namespace {
 constexpr int kPictureSide = 1024;  // px of the ground's colours
 constexpr int kMeshSide = 512;
 
-std::vector<MaterialLook> plain_looks(const DescriptionMap& map) {
-    std::vector<MaterialLook> looks;
-    for (const Material& m : map.materials) {
-        MaterialLook look;
-        if (!m.textures.albedo.empty())
-            look.albedo = vision::read_photo(m.textures.albedo).pixels;
-        look.size_m = m.textures.size_m;
-        look.colour = glm::vec3(material_colour(m)) / 255.0F;
-        looks.push_back(look);
+// Plain colours, and the pictures that the materials name.
+std::vector<MaterialLook> looks_of(const DescriptionMap& map) {
+    std::vector<MaterialLook> looks = plain_looks(map);
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+        const MaterialTextures& textures = map.materials[i].textures;
+        looks[i].size_m = textures.size_m;
+        if (!textures.albedo.empty())
+            looks[i].albedo = vision::read_photo(textures.albedo).pixels;
+        if (!textures.normal.empty())
+            looks[i].normal = vision::read_photo(textures.normal).pixels;
+        if (textures.displacement.empty())
+            continue;
+        vision::HeightImage relief = vision::read_heights(textures.displacement);
+        // Values of 0 to 1 without a scale of their own: white is the material's height.
+        if (relief.metres_per_pixel <= 0.0)
+            for (float& height : relief.metres)
+                height *= static_cast<float>(textures.displacement_m);
+        looks[i].displacement = std::move(relief.metres);
     }
     return looks;
 }
@@ -31,8 +40,10 @@ std::vector<MaterialLook> plain_looks(const DescriptionMap& map) {
 // Draws on the processor, with the renderer that pictures rocks.
 class SoftwarePainter : public ScenePainter {
 public:
-    SoftwarePainter(const Scene& scene, const Simulation& simulation)
-        : scene_(&scene), colours_(scene_colours(simulation, kPictureSide)) {}
+    SoftwarePainter(const Scene& scene, const Simulation& simulation, std::string reason)
+        : scene_(&scene),
+          reason_(std::move(reason)),
+          colours_(scene_colours(simulation, kPictureSide)) {}
 
     Photo draw(const Simulation& simulation) override {
         const Heightfield ground{simulation.ground().heights(simulation.extent()),
@@ -57,21 +68,71 @@ public:
             .textured;
     }
 
-    std::string renderer() const override { return "software"; }
+    std::string renderer() const override { return "software (" + reason_ + ")"; }
 
 private:
     const Scene* scene_;
+    std::string reason_;
     Photo colours_;
+};
+
+// Draws with OpenGL: tessellated, displaced, shadowed.
+class GlPainter : public ScenePainter {
+public:
+    GlPainter(const Scene& scene, const Simulation& simulation, std::unique_ptr<GlContext> context)
+        : context_(std::move(context)), view_(*context_, ground_of(simulation), options_of(scene)) {
+        const SceneCamera& camera = scene.camera;
+        frame_.camera =
+            camera.eye_m ? TerrainCamera{glm::vec3(*camera.eye_m), glm::vec3(*camera.target_m)}
+                         : camera_over(simulation.base(), camera.azimuth_deg, camera.elevation_deg,
+                                       static_cast<double>(scene.outputs.picture_width) /
+                                           scene.outputs.picture_height);
+        frame_.camera.field_of_view_deg = camera.field_of_view_deg;
+        frame_.light.azimuth_deg = camera.light_azimuth_deg;
+        frame_.light.elevation_deg = camera.light_elevation_deg;
+    }
+
+    Photo draw(const Simulation& simulation) override {
+        const FloatRaster moved = simulation.ground().displacement(simulation.extent());
+        frame_.displacement = &moved;
+        frame_.objects.clear();
+        for (const PlacedObject& placed : simulation.objects())
+            if (placed.present)
+                frame_.objects.push_back({placed.mesh, glm::mat4(placed.world_from_mesh),
+                                          glm::vec3(placed.object->colour)});
+        return view_.draw(frame_);
+    }
+
+    std::string renderer() const override { return context_->device(); }
+
+private:
+    static TerrainGround ground_of(const Simulation& simulation) {
+        return {&simulation.base(), &simulation.map(), looks_of(simulation.map()), {}};
+    }
+    static TerrainViewOptions options_of(const Scene& scene) {
+        return {.width = scene.outputs.picture_width, .height = scene.outputs.picture_height};
+    }
+
+    std::unique_ptr<GlContext> context_;  // outlives the view
+    TerrainView view_;
+    TerrainFrame frame_;
 };
 
 }  // namespace
 
 std::unique_ptr<ScenePainter> make_painter(const Scene& scene, const Simulation& simulation) {
-    return std::make_unique<SoftwarePainter>(scene, simulation);
+    GlContext::Attempt attempt = GlContext::try_make();
+    if (attempt.context == nullptr)
+        return std::make_unique<SoftwarePainter>(scene, simulation, attempt.reason);
+    try {
+        return std::make_unique<GlPainter>(scene, simulation, std::move(attempt.context));
+    } catch (const DeviceError& error) {
+        return std::make_unique<SoftwarePainter>(scene, simulation, error.what());
+    }
 }
 
 Photo scene_colours(const Simulation& simulation, int side) {
-    return ground_picture(simulation.base(), simulation.map(), plain_looks(simulation.map()), side);
+    return ground_picture(simulation.base(), simulation.map(), looks_of(simulation.map()), side);
 }
 
 }  // namespace scree::terrain
