@@ -13,6 +13,7 @@ namespace {
 
 constexpr float kNone = std::numeric_limits<float>::infinity();
 constexpr double kLevel = 0.02;  // slope below which an underside counts as level
+constexpr double kRim = 4.0;     // slope that stands for the end of an underside
 
 bool fits(const FloatRaster* raster, const CellWindow& window) {
     return raster != nullptr && raster->width() == window.width &&
@@ -42,23 +43,22 @@ void check_body(const PressingBody& body, std::size_t index) {
                            ") N: they must be finite, the mass not negative");
 }
 
-// Rise of the underside towards +X or +Z, a slope. Its rim rises steeply outwards.
+// Rise of the underside towards +X or +Z, a slope. Where it ends it rises; what lies beyond the
+// raster is not known and says nothing.
 double rise(const FloatRaster& heights, int x, int y, int dx, int dy, double cell_size) {
-    const auto at = [&](int cx, int cy) {
-        return heights.contains(cx, cy) ? heights(cx, cy) : kNone;
-    };
-    const float before = at(x - dx, y - dy);
     const float here = heights(x, y);
-    const float after = at(x + dx, y + dy);
-    const bool open_before = before == kNone;
-    const bool open_after = after == kNone;
-    if (open_before && open_after)
-        return 0.0;
-    if (open_before || open_after)
-        return open_after ? 1.0 : -1.0;
-    const double ahead = (static_cast<double>(after) - here) / cell_size;
-    const double behind = (static_cast<double>(here) - before) / cell_size;
-    return 0.5 * (ahead + behind);
+    double sum = 0.0;
+    int n_known = 0;
+    for (const int side : {-1, 1}) {
+        const int ox = x + side * dx;
+        const int oy = y + side * dy;
+        if (!heights.contains(ox, oy))
+            continue;
+        const float there = heights(ox, oy);
+        sum += side * (there == kNone ? kRim : (static_cast<double>(there) - here) / cell_size);
+        ++n_known;
+    }
+    return n_known > 0 ? sum / n_known : 0.0;
 }
 
 glm::dvec2 unit_or_zero(const glm::dvec2& v) {
@@ -80,12 +80,9 @@ public:
             const glm::dvec2 force = options_.reading == Reading::Sound
                                          ? shared_force(x, y, depth)
                                          : literal_force(x, y, depth);
-            const double scale =
-                1.0 / (options_.unit_stress * ground_.cell_size * ground_.cell_size);
-            load.force_x(x - ground_.window.x, y - ground_.window.y) +=
-                static_cast<float>(scale * force.x);
-            load.force_z(x - ground_.window.x, y - ground_.window.y) +=
-                static_cast<float>(scale * force.y);
+            const glm::dvec2 borne = yielded(force) / unit_newtons();
+            load.force_x(x - ground_.window.x, y - ground_.window.y) += static_cast<float>(borne.x);
+            load.force_z(x - ground_.window.x, y - ground_.window.y) += static_cast<float>(borne.y);
         });
         lower_underside(load);
         return contact_;
@@ -144,6 +141,19 @@ private:
         const glm::dvec2 drag = depth * mobility * glm::dvec2(body_.force.x, body_.force.z);
         contact_.drag_force += drag;
         return drag;
+    }
+
+    double unit_newtons() const {
+        return options_.unit_stress * ground_.cell_size * ground_.cell_size;
+    }
+
+    glm::dvec2 yielded(const glm::dvec2& force) {
+        const double most = options_.yield * unit_newtons();
+        const double length = glm::length(force);
+        if (options_.yield <= 0.0 || length <= most)
+            return force;
+        contact_.unspent_force += length - most;
+        return force * (most / length);
     }
 
     glm::dvec2 outward(int x, int y) const {

@@ -31,6 +31,10 @@ struct ContactOptions {
     double spread = 0.5;        ///< kappa: share of the vertical load that pushes outwards.
     double gravity = 9.81;      ///< m/s^2
     double unit_stress = 10e3;  ///< Pa over one cell that makes a force of 1 in grid units.
+    /// Most force on a cell, grid units: soil yields instead of bearing more, and the rest pushes
+    /// nothing. 0 sets no limit, as C.9 does: then a cell that reaches far into an object takes
+    /// nearly all of its force, and thin columns of soil shoot up beside it.
+    double yield = 0.0;
 };
 
 template <class Visitor>
@@ -42,6 +46,7 @@ void describe(ContactOptions& o, Visitor&& field) {
     field("gravity", o.gravity, {.min = 0, .max = 100, .unit = "m/s2", .help = "of free fall"});
     field("unit-stress", o.unit_stress,
           {.min = 1e-6, .max = 1e9, .unit = "Pa", .help = "of a force of one grid unit"});
+    field("yield", o.yield, {.min = 0, .max = 1e9, .help = "most force on a cell; 0 is no limit"});
 }
 
 /// An object that may touch the ground.
@@ -60,6 +65,7 @@ struct BodyContact {
     double overlap_m3 = 0.0;         ///< Volume of ground it stands in.
     glm::dvec2 drag_force{0.0};      ///< Sum of the shares of the horizontal force, newtons.
     double outward_force = 0.0;      ///< Sum of the lengths of the outward shares, newtons.
+    double unspent_force = 0.0;      ///< Sum of what passed the yield, newtons.
     bool smaller_than_cell = false;  ///< Over the ground, but over no cell's centre: no track.
 };
 

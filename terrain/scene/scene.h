@@ -109,7 +109,7 @@ struct Scene {
     std::map<std::string, double> bearing;  ///< Stiffness by material name, kPa a metre of depth.
     std::vector<SceneObject> objects;
     DeformerOptions deformer;
-    ContactOptions contact;
+    ContactOptions contact{.yield = 1.0};
     int frames = 100;
     double frame_rate = 25.0;
     int substeps = 0;  ///< Solver steps in a frame; 0: as many as the fastest object needs.
