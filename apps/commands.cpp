@@ -23,6 +23,15 @@ std::span<const Command> commands() {
         {{"procedural", "make rocks from spherical noise, without a photograph",
           "scree procedural -o rock.glb --seed 7 --count 9 --picture rocks.png", ""},
          run_procedural},
+        {{"describe",
+          "say what the ground is made of, place by place, from pictures, rules or strokes",
+          "scree describe --labels out/labels.png --photo gravel.jpg --width-m 0.8 -o ground",
+          "Writes materials.json, ids.png, description.png to look at and, where cells differ from "
+          "their materials, params.exr; on request map_rgba.png and map_ids.txt, "
+          "ground_albedo.png, "
+          "ground_normal.png and ground_height.exr, ground.frag.glsl and ground.tese.glsl. Says "
+          "what a form could not keep. docs/description-maps.md describes the files."},
+         run_describe},
         {{"deform", "press, roll and drag objects over ground that gives way",
           "scree deform testdata/scenes/sand.json -o out",
           "Writes ddh.exr (displacements) and height.exr in metres, terrain.glb, frames, "

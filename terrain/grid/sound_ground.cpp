@@ -147,30 +147,64 @@ void SoundGround::reach(const CellWindow& source, int distance) {
 }
 
 void SoundGround::run(const Pass& pass, Work& work) {
+    PatchChange change;
+    FloatBlock block = store_.take();
+    if (is_direct(pass, patch_window(store_.cells(work.tile))))
+        step_direct(work, block.get(), change);
+    else
+        step_patched(pass, work, block.get(), change);
+    finish(work, change, std::move(block), pass.measure);
+}
+
+/// Whether a tile need not be gathered with its surroundings.
+bool SoundGround::is_direct(const Pass& pass, const CellWindow& patch) const {
+    return pass.iterations == 1 &&
+           intersection(grown(patch, 1), store_.extent()) == grown(patch, 1) &&
+           std::none_of(pass.loads.begin(), pass.loads.end(), [&](const Load& load) {
+               return !intersection(patch, load.window).empty();
+           });
+}
+
+void SoundGround::step_direct(const Work& work, float* out, PatchChange& change) {
+    const CellWindow cells = store_.cells(work.tile);
+    const FloatRaster& base = base_->heights;
+    const DirectTile tile{
+        .here = store_.values_or_zeros(work.tile),
+        .above = store_.values_or_zeros(work.tile - store_.columns()),
+        .below = store_.values_or_zeros(work.tile + store_.columns()),
+        .left = store_.values_or_zeros(work.tile - 1),
+        .right = store_.values_or_zeros(work.tile + 1),
+        .base = {base.row(cells.y) + cells.x, base.width()},
+        .soil = soil_of(work.tile).soil,
+    };
+    const int begin = work.region.y - cells.y;
+    const int end = begin + work.region.height;
+    step_tile(tile, rule_, begin, end, out, change);
+    copy_rows(tile.here, 0, begin, out);
+    copy_rows(tile.here, end, kTileHeight, out);
+}
+
+void SoundGround::step_patched(const Pass& pass, const Work& work, float* out,
+                               PatchChange& change) {
     auto scratch = take_scratch();
-    const CellWindow tile = store_.cells(work.tile);
-    const CellWindow window = patch_window(tile);
+    const CellWindow window = patch_window(store_.cells(work.tile));
     const SoilPatch& soil = soil_of(work.tile);
-    Patch patch = scratch->prepare(*base_, store_, soil, window, pass.iterations);
+    Patch patch = scratch->prepare(*base_, store_, soil, window);
     scratch->add_loads(patch, pass.loads, window, soil, rule_);
 
     const int rim = rule_.border == Border::Zero ? 1 : 0;
-    const int top = patch.first_row + rim;
-    const int bottom = patch.rows_end - rim;
-    const int first = work.region.y - window.y;
-    const int end = first + work.region.height;
-    PatchChange change;
-    for (int left = pass.iterations - 1; left > 0; --left)
-        step_patch(patch, rule_, std::max(first - left, top), std::min(end + left, bottom), nullptr,
-                   change);
-    FloatBlock block = store_.take();
-    const int begin_out = std::clamp(top, first, end);
-    const int end_out = std::clamp(bottom, begin_out, end);
-    step_patch(patch, rule_, begin_out, end_out, block.get(), change);
-    copy_rows(store_.values(work.tile), 0, begin_out - kHalo, block.get());
-    copy_rows(store_.values(work.tile), end_out - kHalo, kTileHeight, block.get());
+    const PatchSteps steps{.first = work.region.y - window.y,
+                           .end = work.region.y - window.y + work.region.height,
+                           .iterations = pass.iterations,
+                           .least_row = patch.first_row + rim,
+                           .rows_bound = patch.rows_end - rim};
+    step_patch(patch, rule_, steps, out, change);
+    const int begin_out = std::clamp(steps.least_row, steps.first, steps.end);
+    const int end_out = std::clamp(steps.rows_bound, begin_out, steps.end);
+    const float* before = store_.values(work.tile);
+    copy_rows(before, 0, begin_out - kHalo, out);
+    copy_rows(before, end_out - kHalo, kTileHeight, out);
     give_scratch(std::move(scratch));
-    finish(work, change, std::move(block), pass.measure);
 }
 
 void SoundGround::finish(Work& work, const PatchChange& change, FloatBlock block, bool measure) {

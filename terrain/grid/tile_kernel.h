@@ -65,11 +65,35 @@ struct PatchChange {
     double compacted = 0.0;                  ///< Sum of the heights pressed together, metres.
 };
 
-/// One iteration over patch rows [begin, end).
+/// A tile away from the rim of the ground and from loads, for one iteration where it lies.
+struct DirectTile {
+    const float* here = nullptr;   ///< Rows of kTileWidth, of zeros where a tile does not exist.
+    const float* above = nullptr;  ///< The tiles around it.
+    const float* below = nullptr;
+    const float* left = nullptr;
+    const float* right = nullptr;
+    PatchPlane base;  ///< Row 0 begins with the tile's first cell, and has cells around it.
+    PatchSoil soil;   ///< Of the tile's patch.
+};
+
+/// One iteration over tile rows [begin, end), which `out` takes.
+void step_tile(const DirectTile& tile, const SoundRule& rule, int begin, int end, float* out,
+               PatchChange& change);
+
+/// Tile rows to compute in the last iteration, as rows of the patch, and how many iterations.
+struct PatchSteps {
+    int first = 0;
+    int end = 0;
+    int iterations = 1;
+    int least_row = 0;  ///< Rows outside of these stay as they are.
+    int rows_bound = 0;
+};
+
+/// Iterations on a patch, each of which computes one row less at either end than the one before.
 ///
-/// @param out  Null: in place. Else the tile's rows of kTileWidth, which take the new values, while
-///             the patch keeps its old ones; rows must lie in the tile.
-void step_patch(const Patch& patch, const SoundRule& rule, int begin, int end, float* out,
+/// @param out  The tile's rows of kTileWidth; of these, the rows [first, end) that lie within
+///             least_row and rows_bound take the new values.
+void step_patch(const Patch& patch, const SoundRule& rule, const PatchSteps& steps, float* out,
                 PatchChange& change);
 
 }  // namespace scree::terrain

@@ -144,7 +144,7 @@ float* PatchScratch::plane(int index) {
 }
 
 Patch PatchScratch::prepare(const Heightfield& base, const TileStore& store, const SoilPatch& soil,
-                            const CellWindow& window, int iterations) {
+                            const CellWindow& window) {
     const FloatRaster& heights = base.heights;
     Patch patch;
     patch.u = plane(kU);
@@ -154,15 +154,9 @@ Patch PatchScratch::prepare(const Heightfield& base, const TileStore& store, con
     patch.first_column = -window.x;
     patch.columns_end = heights.width() - window.x;
     store.read(window, patch.u, kPatchWidth);
-    const bool inside = window.x > 0 && window.y > 0 && window.x + window.width < heights.width() &&
-                        window.y + window.height < heights.height();
-    if (inside && iterations == 1) {
-        patch.base = {heights.row(window.y) + window.x, heights.width()};
-        return patch;
-    }
     float* copy = plane(kBase);
     const CellWindow part = intersection(window, {0, 0, heights.width(), heights.height()});
-    if (!inside)
+    if (part != window)
         std::fill_n(copy, kPatchWidth * kPatchHeight, 0.0F);
     for (int y = part.y; y < part.y + part.height; ++y)
         std::copy_n(heights.row(y) + part.x, part.width,

@@ -31,9 +31,8 @@ public:
     PatchScratch();
 
     /// The patch over `window`, without loads.
-    /// @param iterations  That it will be stepped before it is prepared again.
     Patch prepare(const Heightfield& base, const TileStore& store, const SoilPatch& soil,
-                  const CellWindow& window, int iterations);
+                  const CellWindow& window);
     /// Give the patch the loads; those that do not reach it cost nothing.
     void add_loads(Patch& patch, std::span<const Load> loads, const CellWindow& window,
                    const SoilPatch& soil, const SoundRule& rule);

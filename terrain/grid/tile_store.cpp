@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cstring>
+#include <new>
 #include <utility>
 
 namespace scree::terrain {
 namespace {
 
+constexpr std::size_t kPad = 16;  // floats
 constexpr std::size_t kTileCells = std::size_t{kTileWidth} * kTileHeight;
 
 int parts(int size, int part) {
@@ -15,10 +17,15 @@ int parts(int size, int part) {
 
 }  // namespace
 
+void AlignedFree::operator()(float* values) const {
+    ::operator delete[](values - kPad, std::align_val_t{64});
+}
+
 FloatBlock make_block(std::size_t n) {
-    auto* values = static_cast<float*>(::operator new[](n * sizeof(float), std::align_val_t{64}));
-    std::memset(values, 0, n * sizeof(float));
-    return FloatBlock(values);
+    const std::size_t n_bytes = (n + 2 * kPad) * sizeof(float);
+    auto* values = static_cast<float*>(::operator new[](n_bytes, std::align_val_t{64}));
+    std::memset(values, 0, n_bytes);
+    return FloatBlock(values + kPad);
 }
 
 TileStore::TileStore(int width, int height)
@@ -26,7 +33,8 @@ TileStore::TileStore(int width, int height)
       height_(height),
       columns_(parts(width, kTileWidth)),
       rows_(parts(height, kTileHeight)),
-      blocks_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
+      blocks_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)),
+      zeros_(make_block(kTileCells)) {}
 
 CellWindow TileStore::cells(int tile) const {
     return {tile % columns_ * kTileWidth, tile / columns_ * kTileHeight, kTileWidth, kTileHeight};
@@ -97,7 +105,7 @@ double TileStore::sum() const {
 
 std::size_t TileStore::bytes() const {
     const std::lock_guard lock(guard_);
-    return n_blocks_ * kTileCells * sizeof(float) +
+    return (n_blocks_ + 1) * (kTileCells + 2 * kPad) * sizeof(float) +
            (blocks_.capacity() + spare_.capacity()) * sizeof(FloatBlock);
 }
 

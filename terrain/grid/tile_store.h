@@ -6,15 +6,14 @@
 #include <cstddef>
 #include <memory>
 #include <mutex>
-#include <new>
 #include <vector>
 
 namespace scree::terrain {
 
 struct AlignedFree {
-    void operator()(float* values) const { ::operator delete[](values, std::align_val_t{64}); }
+    void operator()(float* values) const;
 };
-/// Floats on the boundary of a cache line.
+/// Floats on the boundary of a cache line, with readable memory before and after them.
 using FloatBlock = std::unique_ptr<float[], AlignedFree>;
 
 /// @return `n` floats, all zero.
@@ -36,6 +35,12 @@ public:
     /// The tile's values, rows of kTileWidth; null where nothing was displaced.
     const float* values(int tile) const { return blocks_[static_cast<std::size_t>(tile)].get(); }
 
+    /// The same, but zeros where nothing was displaced.
+    const float* values_or_zeros(int tile) const {
+        const float* own = values(tile);
+        return own ? own : zeros_.get();
+    }
+
     /// A block for one tile, its contents anything. Any thread may call these two.
     FloatBlock take();
     void give(FloatBlock block);
@@ -55,6 +60,7 @@ private:
     int width_, height_, columns_, rows_;
     std::vector<FloatBlock> blocks_;
     std::vector<FloatBlock> spare_;
+    FloatBlock zeros_;
     std::size_t n_blocks_ = 0;
     mutable std::mutex guard_;
 };

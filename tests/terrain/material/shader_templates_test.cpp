@@ -75,15 +75,19 @@ TEST(Shaders, Compile) {
         const auto run = test::run_program(kCompiler, {(dir / name).string()});
         EXPECT_EQ(run.status, 0) << run.output << run.errors << text;
     };
-    for (const auto& materials : {textured(), test::three_materials(), many(1), many(256)})
-        for (const auto binding : {TextureBinding::Separate, TextureBinding::Layers})
-            for (const bool literal : {false, true}) {
-                const GroundShaders shaders = ground_shaders(
-                    materials, 0.25,
-                    {.binding = binding, .literal_hat = literal, .max_textures = 256});
-                expect_compiles(shaders.fragment, "ground.frag");
-                expect_compiles(shaders.evaluation, "ground.tese");
-            }
+    struct Case {
+        std::vector<Material> materials;
+        ShaderOptions options;
+    };
+    for (const Case& one :
+         {Case{textured(), {}}, Case{textured(), {.literal_hat = true}},
+          Case{textured(), {.binding = TextureBinding::Layers}}, Case{test::three_materials(), {}},
+          Case{many(1), {}}, Case{many(1), {.literal_hat = true}},
+          Case{many(64), {.binding = TextureBinding::Layers}}}) {
+        const GroundShaders shaders = ground_shaders(one.materials, 0.25, one.options);
+        expect_compiles(shaders.fragment, "ground.frag");
+        expect_compiles(shaders.evaluation, "ground.tese");
+    }
 }
 
 }  // namespace
