@@ -69,10 +69,15 @@ std::vector<CellPoint> placed(const meshing::TriMesh& mesh, const glm::dmat4& wo
 
 void draw(const CellPoint& a, const CellPoint& b, const CellPoint& c, Underside& out) {
     const CellWindow& window = out.window;
-    const int top = std::max(first_centre(std::min({a.y, b.y, c.y})), window.y);
-    const int left = std::max(first_centre(std::min({a.x, b.x, c.x})), window.x);
-    const double right = std::max({a.x, b.x, c.x});
+    // Most triangles of a fine mesh lie between the centres: the cheap question comes first.
     const double bottom = std::max({a.y, b.y, c.y});
+    const int top = std::max(first_centre(std::min({a.y, b.y, c.y})), window.y);
+    if (top + 0.5 > bottom)
+        return;
+    const double right = std::max({a.x, b.x, c.x});
+    const int left = std::max(first_centre(std::min({a.x, b.x, c.x})), window.x);
+    if (left + 0.5 > right)
+        return;
     const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
     if (area == 0.0)
         return;
@@ -102,8 +107,13 @@ void count_covered(Underside& out) {
 
 Underside underside_of(const meshing::TriMesh& mesh, const glm::dmat4& world_from_mesh,
                        const CellGrid& grid) {
-    check_grid(grid);
     meshing::check_mesh(mesh);
+    return underside_of_checked(mesh, world_from_mesh, grid);
+}
+
+Underside underside_of_checked(const meshing::TriMesh& mesh, const glm::dmat4& world_from_mesh,
+                               const CellGrid& grid) {
+    check_grid(grid);
     const std::vector<CellPoint> points = placed(mesh, world_from_mesh, grid.cell_size);
     Bounds bounds;
     for (const CellPoint& p : points)

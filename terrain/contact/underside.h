@@ -32,6 +32,10 @@ struct Underside {
 Underside underside_of(const meshing::TriMesh& mesh, const glm::dmat4& world_from_mesh,
                        const CellGrid& grid);
 
+/// The same of a mesh that is known to pass check_mesh(): for one that moves step by step.
+Underside underside_of_checked(const meshing::TriMesh& mesh, const glm::dmat4& world_from_mesh,
+                               const CellGrid& grid);
+
 /// The same of a sphere, in closed form (`rocks-and-deformer.md` C.9).
 /// @throw InvalidInput  the radius is not positive or a number is not finite.
 Underside underside_of_sphere(const glm::dvec3& centre, double radius, const CellGrid& grid);

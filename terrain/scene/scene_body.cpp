@@ -82,7 +82,7 @@ Underside SceneBody::seen_at(const Pose& pose) const {
     if (std::holds_alternative<SphereShape>(object_->shape))
         return underside_of_sphere(
             pose.position, std::get<SphereShape>(object_->shape).radius_m * pose.scale, grid_);
-    return underside_of(mesh_, matrix_of(pose), grid_);
+    return underside_of_checked(mesh_, matrix_of(pose), grid_);
 }
 
 void SceneBody::ride(double step_s, const GroundSolver& ground,
