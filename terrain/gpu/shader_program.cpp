@@ -139,6 +139,9 @@ void ShaderProgram::set(const char* uniform, float value) const {
 void ShaderProgram::set(const char* uniform, const glm::ivec2& value) const {
     glProgramUniform2i(id_, glGetUniformLocation(id_, uniform), value.x, value.y);
 }
+void ShaderProgram::set(const char* uniform, const glm::ivec4& value) const {
+    glProgramUniform4i(id_, glGetUniformLocation(id_, uniform), value.x, value.y, value.z, value.w);
+}
 void ShaderProgram::set(const char* uniform, const glm::vec2& value) const {
     glProgramUniform2f(id_, glGetUniformLocation(id_, uniform), value.x, value.y);
 }

@@ -39,6 +39,7 @@ public:
     void set(const char* uniform, int value) const;
     void set(const char* uniform, float value) const;
     void set(const char* uniform, const glm::ivec2& value) const;
+    void set(const char* uniform, const glm::ivec4& value) const;
     void set(const char* uniform, const glm::vec2& value) const;
     void set(const char* uniform, const glm::vec3& value) const;
     void set(const char* uniform, const glm::vec4& value) const;

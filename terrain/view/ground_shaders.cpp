@@ -73,8 +73,9 @@ void main() {
 }
 )glsl";
 
-// The looks that meet at a place: the four nearest cells of the map, weighted bilinearly with
-// narrowed steps; equal ones are looked up once (corner blend, rocks-and-deformer.md D.4).
+// The looks that meet at a place: the four nearest cells of the map, weighted bilinearly; equal
+// ones are looked up once (corner blend, rocks-and-deformer.md D.4). The place is moved by noise of
+// half a cell, so that borders do not show the cells.
 constexpr const char* kLooks = R"glsl(
 struct Look {
     vec4 colour;   // linear; w: roughness
@@ -94,8 +95,11 @@ struct Blend {
 
 Blend corner_blend(vec2 at) {
     vec2 cell = at * map_cells_per_m - 0.5;
+    cell += 0.8 * vec2(lattice_noise(cell * 0.7), lattice_noise(cell.yx * 0.7 + 31.0)) +
+            0.5 * vec2(lattice_noise(cell * 2.3), lattice_noise(cell.yx * 2.3 + 57.0)) - 0.65;
     vec2 low = floor(cell);
-    vec2 f = smoothstep(0.15, 0.85, cell - low);
+    vec2 f = cell - low;
+    f = f * f * (3.0 - 2.0 * f);
     ivec2 a = clamp(ivec2(low), ivec2(0), map_size - 1);
     ivec2 b = clamp(ivec2(low) + 1, ivec2(0), map_size - 1);
     Blend blend;
@@ -120,6 +124,7 @@ patch in float part_length;
 uniform mat4 clip_from_world;
 uniform vec3 eye;
 uniform float far_m;
+uniform float lattice_step;
 uniform float detail_texels;  // side of the detail pictures
 
 float detail_height(vec2 at) {
@@ -142,10 +147,13 @@ void main() {
                       gl_TessCoord.z * corner_place[2];
     vec2 uv = ground_uv(at);
     float base = textureLod(base_heights, uv, 0.0).r;
+    // At the rim the ground meets its sides, which have no detail.
+    vec2 inside = min(uv, 1.0 - uv) / per_ground_size;
+    float rim = smoothstep(0.0, 1.0, min(inside.x, inside.y) / (0.5 * lattice_step));
     float near = range_share(distance(eye, vec3(at.x, base, at.y)), far_m);
     float height = base;
     if (near > 0.0)
-        height += near * (textureLod(moved_heights, uv, 0.0).r + detail_height(at));
+        height += near * (textureLod(moved_heights, uv, 0.0).r + rim * detail_height(at));
     gl_Position = clip_from_world * vec4(at.x, height, at.y, 1.0);
 }
 )glsl";
@@ -156,6 +164,10 @@ constexpr const char* kFragment = R"glsl(
 in vec2 across;
 layout(location = 0) out vec4 picture;
 layout(binding = 8) uniform sampler2D scene_depth;
+layout(binding = 9) uniform sampler2D undersides;  // of the objects, seen from below
+uniform vec4 under_area;      // corner, 1 / size; metres
+uniform vec2 under_range;     // least height, span; metres
+uniform float under_size;     // of the objects, metres; 0: there are none
 uniform mat4 world_from_clip;
 uniform vec2 sample_size;     // of the picture, in clip space
 
@@ -193,14 +205,18 @@ float grain_sun(vec2 uv, float layer, Look look, float height) {
 Soil soil_at(vec2 at, vec2 dx, vec2 dy) {
     Blend blend = corner_blend(at);
     Soil soil = Soil(vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0);
+    float total = 0.0;
     for (int i = 0; i < 4; ++i) {
-        float w = blend.weight[i];
-        if (w <= 0.0)
+        if (blend.weight[i] <= 0.0)
             continue;
         Look look = looks[blend.layer[i]];
         float layer = float(blend.layer[i]);
         vec2 uv = at * look.measure.x;
         vec4 d = textureGrad(detail, vec3(uv, layer), dx * look.measure.x, dy * look.measure.x);
+        float w = blend.weight[i];
+        if (w < 1.0)  // what stands higher covers what lies lower
+            w *= exp2(7.0 * (d.b - 0.5) * step(1e-9, look.measure.y));
+        total += w;
         vec3 colour = look.colour.rgb;
         if (look.measure.w > 0.5)
             colour = textureGrad(albedo, vec3(uv, layer), dx * look.measure.x, dy * look.measure.x).rgb;
@@ -210,7 +226,8 @@ Soil soil_at(vec2 at, vec2 dx, vec2 dy) {
         soil.roughness += w * look.colour.w;
         soil.lit += w * grain_sun(uv, layer, look, d.b);
     }
-    return soil;
+    return Soil(soil.albedo / total, soil.slopes / total, soil.open / total,
+                soil.roughness / total, soil.lit / total);
 }
 
 vec3 height_colour(float t) {
@@ -219,7 +236,7 @@ vec3 height_colour(float t) {
                                  vec3(0.80, 0.52, 0.30), vec3(0.95, 0.92, 0.88));
     float x = clamp(t, 0.0, 1.0) * 5.0;
     int i = min(int(x), 4);
-    return mix(ramp[i], ramp[i + 1], x - float(i));
+    return 0.75 * pow(mix(ramp[i], ramp[i + 1], x - float(i)), vec3(1.7));
 }
 
 vec3 plain_colour(uint layer) {
@@ -247,6 +264,24 @@ vec3 unprojected(vec2 clip, float depth) {
     return at.xyz / at.w;
 }
 
+// Share of the sky that objects above leave open, by their undersides around.
+float open_below_objects(vec3 at) {
+    if (under_size <= 0.0)
+        return 1.0;
+    float closed = 0.0;
+    for (int i = 0; i < 8; ++i) {
+        float angle = 2.3999632 * float(i);
+        vec2 tap = at.xz + 0.07 * under_size * sqrt(float(i) + 0.5) * vec2(cos(angle), sin(angle));
+        vec2 place = (tap - under_area.xy) * under_area.zw;
+        if (any(lessThan(place, vec2(0.0))) || any(greaterThan(place, vec2(1.0))))
+            continue;
+        float depth = textureLod(undersides, place, 0.0).r;
+        if (depth < 1.0)
+            closed += exp(-max(under_range.x + depth * under_range.y - at.y, 0.0) / (0.22 * under_size));
+    }
+    return 1.0 - 0.8 * closed / 8.0;
+}
+
 // Where the eye's ray through a place of the picture meets the plane of a point, less the point.
 vec3 step_on_plane(vec2 clip, vec3 point, vec3 n) {
     vec3 ray = unprojected(clip, 1.0) - eye;
@@ -267,6 +302,7 @@ void main() {
     vec2 uv = ground_uv(at);
     vec4 s = texture(surface, uv);
     vec3 dynamic = normal_of(s.xy);
+    float height = texture(base_heights, uv).r + texture(moved_heights, uv).r;
     vec3 facing = dot(dynamic, eye - world) > 0.05 * distance(eye, world) ? dynamic : normalize(eye - world);
     vec3 dx = step_on_plane(clip + vec2(sample_size.x, 0.0), world, facing);
     vec3 dy = step_on_plane(clip + vec2(0.0, sample_size.y), world, facing);
@@ -274,7 +310,7 @@ void main() {
     if (mode == 0)
         soil = soil_at(at, dx.xz, dy.xz);
     else if (mode == 2)
-        soil.albedo = height_colour((world.y - height_scale.x) * height_scale.y);
+        soil.albedo = height_colour((height - height_scale.x) * height_scale.y);
     else if (mode == 3) {
         Blend blend = corner_blend(at);
         soil.albedo = vec3(0.0);
@@ -285,10 +321,10 @@ void main() {
     if (mode == 0)
         soil.albedo *= 0.90 + 0.2 * patches(at);
     float sun = texture(sun_reach, uv).r * soil.lit * object_shadow(world + dynamic * cell_size);
-    vec3 colour = lit_colour(soil.albedo, n, s.w * soil.open, sun, soil.roughness, world);
+    vec3 colour = lit_colour(soil.albedo, n, s.w * soil.open * open_below_objects(world), sun, soil.roughness, world);
     if (mode == 2)
         colour = mix(colour, colour * 0.35,
-                     contour(world.y, height_scale.z, abs(dx.y) + abs(dy.y)));
+                     contour(height, height_scale.z, abs(dx.y) + abs(dy.y)));
     picture = vec4(shown(colour), 1.0);
 }
 )glsl";
@@ -304,12 +340,13 @@ std::string ground_control_glsl() {
 }
 
 std::string ground_evaluation_glsl() {
-    return kVersion + std::string(ranges_glsl()) + kHeights + kLooks + kEvaluation;
+    return kVersion + std::string(ranges_glsl()) + std::string(noise_glsl()) + kHeights + kLooks +
+           kEvaluation;
 }
 
 std::string ground_fragment_glsl() {
-    return kVersion + std::string(dynamic_normals_glsl()) + kHeights + kLooks +
-           std::string(light_glsl()) + kFragment;
+    return kVersion + std::string(dynamic_normals_glsl()) + std::string(noise_glsl()) + kHeights +
+           kLooks + std::string(light_glsl()) + kFragment;
 }
 
 }  // namespace scree::terrain

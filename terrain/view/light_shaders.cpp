@@ -51,6 +51,16 @@ vec3 shown(vec3 light) {
     return clamp(x * (1.0 + x * 0.16) / (1.0 + x * 0.52), 0.0, 1.0);
 }
 
+// Wide patches of brightness, 0 to 1, so that repeated pictures do not show their period.
+uniform float patch_size;
+float patches(vec2 at) {
+    return 0.6 * lattice_noise(at / patch_size) + 0.4 * lattice_noise(at * 2.7 / patch_size);
+}
+)glsl";
+}
+
+std::string_view noise_glsl() {
+    return R"glsl(
 float lattice_noise(vec2 at) {
     vec2 cell = floor(at);
     vec2 f = at - cell;
@@ -63,12 +73,6 @@ float lattice_noise(vec2 at) {
         v[k] = float((h ^ (h >> 16)) & 65535u) / 65535.0;
     }
     return mix(mix(v.x, v.y, f.x), mix(v.z, v.w, f.x), f.y);
-}
-
-// Wide patches of brightness, 0 to 1, so that repeated pictures do not show their period.
-uniform float patch_size;
-float patches(vec2 at) {
-    return 0.6 * lattice_noise(at / patch_size) + 0.4 * lattice_noise(at * 2.7 / patch_size);
 }
 )glsl";
 }

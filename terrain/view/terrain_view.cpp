@@ -1,6 +1,7 @@
 #include "terrain/view/terrain_view.h"
 
 #include "terrain/view/ground_textures.h"
+#include "terrain/view/object_depth.h"
 #include "terrain/view/picture_target.h"
 #include "terrain/view/tessellation.h"
 #include "terrain/view/view_matrices.h"
@@ -35,6 +36,12 @@ int columns_for(const TerrainViewOptions& options, const glm::vec2& size) {
     return std::max(1, static_cast<int>(std::lround(along * size.x / longer)));
 }
 
+// Diagonal of an object's bounds, metres.
+float object_size(const TerrainObject& object) {
+    const ViewBox box = bounds_of({object}, glm::vec3(0.0F));
+    return std::max(glm::length(box.high - box.low), 1e-6F);
+}
+
 GroundArea area_of(const GroundTextures& ground) {
     return {ground.origin().x, ground.origin().y, ground.size().x, ground.size().y};
 }
@@ -50,14 +57,14 @@ struct TerrainView::State {
     DrawnMesh lattice, walls;
     ObjectMeshes objects;
     GlVertexArray no_corners;
-    GlTexture shadow_depth;
-    GlFramebuffer shadow_target;
+    DepthMap shadow_map, undersides;
     ShaderProgram depth_program, line_program, ground_program, wall_program, object_program,
         shadow_program;
 
     // Of the frame being drawn.
     glm::mat4 clip{1.0F}, shadow{1.0F};
     glm::vec3 sun{0.0F, 1.0F, 0.0F};
+    ViewBox casters;
     float foot = 0.0F;
 
     State(GlContext& ctx, const TerrainGround& shown, const TerrainViewOptions& wanted)
@@ -66,8 +73,8 @@ struct TerrainView::State {
           ground(ctx, shown),
           target(ctx, wanted.width, wanted.height, wanted.supersampling),
           no_corners(0U),
-          shadow_depth(GL_TEXTURE_2D),
-          shadow_target(0U) {
+          shadow_map(std::min(wanted.shadow_size, ctx.max_texture_size()), true),
+          undersides(256, false) {
         load_programs();
         const GroundArea area = area_of(ground);
         lattice_shape = make_lattice(area, columns_for(options, ground.size()));
@@ -75,16 +82,14 @@ struct TerrainView::State {
         lattice_shape.positions.clear();
         lattice_shape.patches.clear();
         walls = upload_walls(area, std::max(area.width, area.depth) / 512.0);
-        make_shadow_map();
         check_gl("making the view");
     }
     ~State() { context.make_current(); }
 
     void load_programs();
-    void make_shadow_map();
     void prepare(const TerrainFrame& frame);
     void set_common(const ShaderProgram& program, const TerrainFrame& frame) const;
-    void draw_shadow(const TerrainFrame& frame);
+    void draw_object_depths(const TerrainFrame& frame);
     void draw_lattice(const TerrainFrame& frame, const ShaderProgram& program) const;
     void draw_ground(const TerrainFrame& frame, ViewMode mode) const;
     void draw_walls(const TerrainFrame& frame) const;
@@ -115,19 +120,6 @@ void TerrainView::State::load_programs() {
                                       {ShaderStage::Fragment, shadow_fragment_glsl()}});
 }
 
-void TerrainView::State::make_shadow_map() {
-    const int side = std::min(options.shadow_size, context.max_texture_size());
-    glTextureStorage2D(shadow_depth.id(), 1, GL_DEPTH_COMPONENT32F, side, side);
-    glTextureParameteri(shadow_depth.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTextureParameteri(shadow_depth.id(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTextureParameteri(shadow_depth.id(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTextureParameteri(shadow_depth.id(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    glTextureParameteri(shadow_depth.id(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-    glTextureParameteri(shadow_depth.id(), GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-    glNamedFramebufferTexture(shadow_target.id(), GL_DEPTH_ATTACHMENT, shadow_depth.id(), 0);
-    glNamedFramebufferDrawBuffer(shadow_target.id(), GL_NONE);
-}
-
 TessellationRule TerrainView::State::rule(const TerrainFrame& frame) const {
     TessellationRule rule;
     rule.reference = frame.camera.target;
@@ -151,7 +143,7 @@ void TerrainView::State::prepare(const TerrainFrame& frame) {
     foot = ground.lowest() - reach - 0.045F * std::max(ground.size().x, ground.size().y);
     const ViewBox block{{low.x, foot, low.y}, {high.x, ground.highest() + reach, high.y}};
     const glm::vec3 middle = 0.5F * (block.low + block.high);
-    const ViewBox casters = bounds_of(frame.objects, middle);
+    casters = bounds_of(frame.objects, middle);
     ViewBox scene = block;
     scene.add(casters.low);
     scene.add(casters.high);
@@ -169,28 +161,23 @@ void TerrainView::State::set_common(const ShaderProgram& program, const TerrainF
     program.set("eye", frame.camera.eye);
 }
 
-void TerrainView::State::draw_shadow(const TerrainFrame& frame) {
-    int side = 0;
-    glGetTextureLevelParameteriv(shadow_depth.id(), 0, GL_TEXTURE_WIDTH, &side);
-    glBindFramebuffer(GL_FRAMEBUFFER, shadow_target.id());
-    glViewport(0, 0, side, side);
-    const float far = 1.0F;
-    glClearNamedFramebufferfv(shadow_target.id(), GL_DEPTH, 0, &far);
-    glEnable(GL_DEPTH_TEST);
-    glEnable(GL_POLYGON_OFFSET_FILL);
-    glPolygonOffset(2.0F, 4.0F);
+// The objects' depth from the sun and from straight below.
+void TerrainView::State::draw_object_depths(const TerrainFrame& frame) {
     shadow_program.use();
-    // The map's matrix ends at 0 to 1; clip space wants -1 to 1.
-    glm::mat4 clip_from_shadow(2.0F);
-    clip_from_shadow[3] = glm::vec4(-1.0F, -1.0F, -1.0F, 1.0F);
-    for (const TerrainObject& object : frame.objects) {
-        const DrawnMesh& mesh = objects.get(object);
-        shadow_program.set("shadow_from_object",
-                           clip_from_shadow * shadow * object.world_from_object);
-        glBindVertexArray(mesh.array.id());
-        glDrawArrays(GL_TRIANGLES, 0, mesh.n_drawn);
-    }
-    glDisable(GL_POLYGON_OFFSET_FILL);
+    const auto draw = [&](const glm::mat4& map_from_world) {
+        // The map's matrix ends at 0 to 1; clip space wants -1 to 1.
+        glm::mat4 clip_from_map(2.0F);
+        clip_from_map[3] = glm::vec4(-1.0F, -1.0F, -1.0F, 1.0F);
+        for (const TerrainObject& object : frame.objects) {
+            const DrawnMesh& mesh = objects.get(object);
+            shadow_program.set("shadow_from_object",
+                               clip_from_map * map_from_world * object.world_from_object);
+            glBindVertexArray(mesh.array.id());
+            glDrawArrays(GL_TRIANGLES, 0, mesh.n_drawn);
+        }
+    };
+    shadow_map.fill([&] { draw(shadow); });
+    undersides.fill([&] { draw(under_from_world(casters)); });
 }
 
 void TerrainView::State::draw_lattice(const TerrainFrame& frame,
@@ -233,6 +220,12 @@ void TerrainView::State::draw_ground(const TerrainFrame& frame, ViewMode mode) c
                        2.0F / glm::vec2(target.samples_across(), target.samples_down()));
     ground_program.set("height_scale",
                        glm::vec3(ground.lowest(), 1.0F / span, static_cast<float>(contour)));
+    const glm::vec3 size = glm::max(casters.high - casters.low, glm::vec3(1e-6F));
+    ground_program.set("under_area",
+                       glm::vec4(casters.low.x, casters.low.z, 1.0F / size.x, 1.0F / size.z));
+    ground_program.set("under_range", glm::vec2(casters.low.y, size.y));
+    ground_program.set("under_size",
+                       frame.objects.empty() ? 0.0F : object_size(frame.objects.front()));
     ground_program.use();
     glBindVertexArray(no_corners.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -260,12 +253,11 @@ void TerrainView::State::draw_objects(const TerrainFrame& frame) {
     set_common(object_program, frame);
     object_program.use();
     for (const TerrainObject& object : frame.objects) {
-        const ViewBox box = bounds_of({object}, glm::vec3(0.0F));
         const DrawnMesh& mesh = objects.get(object);
         glm::vec3 colour;
         for (int i = 0; i < 3; ++i)
             colour[i] = std::pow(std::clamp(object.colour[i], 0.0F, 1.0F), 2.2F);
-        const float size = std::max(glm::length(box.high - box.low), 1e-6F);
+        const float size = object_size(object);
         object_program.set("object_colour", colour);
         object_program.set("object_roughness", std::clamp(object.roughness, 0.05F, 1.0F));
         object_program.set("object_size", size);
@@ -295,9 +287,10 @@ Photo TerrainView::draw(const TerrainFrame& frame, ViewMode mode) {
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
     s.prepare(frame);
-    s.draw_shadow(frame);
+    s.draw_object_depths(frame);
     s.ground.bind();
-    glBindTextureUnit(kShadowUnit, s.shadow_depth.id());
+    glBindTextureUnit(kShadowUnit, s.shadow_map.texture());
+    glBindTextureUnit(kUnderUnit, s.undersides.texture());
     s.draw_ground(frame, mode);
     s.draw_walls(frame);
     s.draw_objects(frame);

@@ -98,6 +98,17 @@ glm::mat4 shadow_from_world(const glm::vec3& sun, const ViewBox& casters, const 
     return half * clip * turn;
 }
 
+glm::mat4 under_from_world(const ViewBox& objects) {
+    const glm::vec3 size = glm::max(objects.high - objects.low, glm::vec3(1e-6F));
+    glm::mat4 map(0.0F);
+    map[0][0] = 1.0F / size.x;
+    map[1][2] = 1.0F / size.y;
+    map[2][1] = 1.0F / size.z;
+    map[3] =
+        glm::vec4(-objects.low.x / size.x, -objects.low.z / size.z, -objects.low.y / size.y, 1.0F);
+    return map;
+}
+
 glm::vec3 sun_direction(const TerrainLight& light) {
     if (!(light.elevation_deg > 0.0) || !(light.elevation_deg <= 90.0) ||
         !std::isfinite(light.azimuth_deg))

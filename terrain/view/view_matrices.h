@@ -29,6 +29,9 @@ glm::mat4 clip_from_world(const TerrainCamera& camera, double aspect, const View
 /// The objects' shadow map, 0 to 1 along all axes: covers `casters` and reaches down to `ground`.
 glm::mat4 shadow_from_world(const glm::vec3& sun, const ViewBox& casters, const ViewBox& ground);
 
+/// The objects seen from straight below, 0 to 1 over their bounds: x, z, and height.
+glm::mat4 under_from_world(const ViewBox& objects);
+
 /// Unit vector towards the sun. @throw InvalidInput  it is not above the horizon.
 glm::vec3 sun_direction(const TerrainLight& light);
 

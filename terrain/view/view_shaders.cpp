@@ -140,6 +140,8 @@ layout(location = 0) out vec4 picture;
 uniform vec3 wall_colour;
 
 void main() {
+    if (dot(face, eye - world) < 0.0)
+        discard;
     vec2 along = vec2(dot(world.xz, face.zx), world.y);
     float layers = lattice_noise(vec2(along.x * 0.6, along.y * 9.0) / patch_size * 2.0);
     float grain = lattice_noise(along / patch_size * 60.0);
@@ -242,13 +244,13 @@ std::string wall_vertex_glsl() {
     return std::string(kVersion) + kWallVertex;
 }
 std::string wall_fragment_glsl() {
-    return kVersion + std::string(light_glsl()) + kWallFragment;
+    return kVersion + std::string(noise_glsl()) + std::string(light_glsl()) + kWallFragment;
 }
 std::string object_vertex_glsl() {
     return std::string(kVersion) + kObjectVertex;
 }
 std::string object_fragment_glsl() {
-    return kVersion + std::string(light_glsl()) + kObjectFragment;
+    return kVersion + std::string(noise_glsl()) + std::string(light_glsl()) + kObjectFragment;
 }
 std::string shadow_vertex_glsl() {
     return std::string(kVersion) + kShadowVertex;

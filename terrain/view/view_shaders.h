@@ -16,6 +16,7 @@ enum ViewUnit {
     kLayerUnit = 4,    ///< Look of a map cell, R8UI.
     kAlbedoUnit = 5,   ///< sRGB array.
     kDetailUnit = 6,   ///< Slopes x and z, height, open sky: RGBA8 array.
+    kUnderUnit = 9,    ///< Undersides of the objects.
     kDepthUnit = 8,    ///< Depth of the ground in the picture.
     kShadowUnit = 7,   ///< Depth of the objects from the sun.
 };
