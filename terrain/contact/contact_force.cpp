@@ -118,8 +118,7 @@ private:
         const double cell_area = ground_.cell_size * ground_.cell_size;
         contact_.area_m2 = cell_area * contact_.cells;
         contact_.overlap_m3 = cell_area * sum;
-        contact_.smaller_than_cell =
-            !body_.underside->window.empty() && body_.underside->covered == 0;
+        contact_.smaller_than_cell = body_.underside->lost;
         per_depth_ = sum > 0.0 ? 1.0 / sum : 0.0;
     }
 

@@ -16,11 +16,14 @@ constexpr float kNone = std::numeric_limits<float>::infinity();
 constexpr double kFarthest = 1e9;  // cells; beyond it a centre is no longer told from the next
 constexpr double kSlack = -1e-9;   // of a barycentric weight: no cracks between neighbours
 
-// In cells along x and y, the height in metres.
+// In cells along x and y, the height in metres. `first` is the first centre at or beyond the place,
+// `last` the last one at or before it.
 struct CellPoint {
     double x = 0.0;
     double y = 0.0;
     double height = 0.0;
+    int first_x = 0, last_x = 0;
+    int first_y = 0, last_y = 0;
 };
 
 struct Bounds {
@@ -35,21 +38,36 @@ void check_grid(const CellGrid& grid) {
         fail<InvalidInput>("the cell size is ", grid.cell_size, " m, it must be positive");
 }
 
-// First cell whose centre is at or beyond `low`.
-int first_centre(double low) {
-    return static_cast<int>(std::ceil(std::clamp(low, -kFarthest, kFarthest) - 0.5));
+CellPoint cell_point(double x, double y, double height) {
+    const auto first = [](double value) {
+        return static_cast<int>(std::ceil(std::clamp(value, -kFarthest, kFarthest) - 0.5));
+    };
+    const auto last = [](double value) {
+        return static_cast<int>(std::floor(std::clamp(value, -kFarthest, kFarthest) - 0.5));
+    };
+    return {x, y, height, first(x), last(x), first(y), last(y)};
 }
 
 // Every cell that the bounds touch, so that something smaller than a cell has a window too.
-CellWindow window_of(const Bounds& bounds, const CellWindow& extent) {
+CellWindow touched_by(const Bounds& bounds) {
     const auto whole = [](double value) {
         return static_cast<int>(std::floor(std::clamp(value, -kFarthest, kFarthest)));
     };
     const int x = whole(bounds.left);
     const int y = whole(bounds.top);
-    const CellWindow touched{x, y, whole(bounds.right) - x + 1, whole(bounds.bottom) - y + 1};
+    return {x, y, whole(bounds.right) - x + 1, whole(bounds.bottom) - y + 1};
+}
+
+Underside empty_over(const Bounds& bounds, const CellWindow& extent) {
+    const CellWindow touched = touched_by(bounds);
     const CellWindow inside = intersection(touched, extent);
-    return inside.empty() ? CellWindow{} : inside;
+    Underside out;
+    if (inside.empty())
+        return out;
+    out.window = inside;
+    out.heights = FloatRaster(inside.width, inside.height, kNone);
+    out.lost = inside == touched;  // until a centre is covered
+    return out;
 }
 
 std::vector<CellPoint> placed(const meshing::TriMesh& mesh, const glm::dmat4& world_from_mesh,
@@ -58,7 +76,7 @@ std::vector<CellPoint> placed(const meshing::TriMesh& mesh, const glm::dmat4& wo
     points.reserve(mesh.positions.size());
     for (const glm::vec3& p : mesh.positions) {
         const glm::dvec4 world = world_from_mesh * glm::dvec4(p.x, p.y, p.z, 1.0);
-        const CellPoint point{world.x / cell_size, world.z / cell_size, world.y};
+        const CellPoint point = cell_point(world.x / cell_size, world.z / cell_size, world.y);
         if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.height))
             fail<InvalidInput>("vertex ", points.size(),
                                " of an object is placed nowhere: its matrix is not finite");
@@ -70,21 +88,23 @@ std::vector<CellPoint> placed(const meshing::TriMesh& mesh, const glm::dmat4& wo
 void draw(const CellPoint& a, const CellPoint& b, const CellPoint& c, Underside& out) {
     const CellWindow& window = out.window;
     // Most triangles of a fine mesh lie between the centres: the cheap question comes first.
-    const double bottom = std::max({a.y, b.y, c.y});
-    const int top = std::max(first_centre(std::min({a.y, b.y, c.y})), window.y);
-    if (top + 0.5 > bottom)
+    const int top = std::max(std::min({a.first_y, b.first_y, c.first_y}), window.y);
+    const int bottom =
+        std::min(std::max({a.last_y, b.last_y, c.last_y}), window.y + window.height - 1);
+    if (top > bottom)
         return;
-    const double right = std::max({a.x, b.x, c.x});
-    const int left = std::max(first_centre(std::min({a.x, b.x, c.x})), window.x);
-    if (left + 0.5 > right)
+    const int left = std::max(std::min({a.first_x, b.first_x, c.first_x}), window.x);
+    const int right =
+        std::min(std::max({a.last_x, b.last_x, c.last_x}), window.x + window.width - 1);
+    if (left > right)
         return;
     const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
     if (area == 0.0)
         return;
-    for (int y = top; y < window.y + window.height && y + 0.5 <= bottom; ++y) {
+    for (int y = top; y <= bottom; ++y) {
         float* const row = out.heights.row(y - window.y);
         const double py = y + 0.5;
-        for (int x = left; x < window.x + window.width && x + 0.5 <= right; ++x) {
+        for (int x = left; x <= right; ++x) {
             const double px = x + 0.5;
             const double u = ((c.x - b.x) * (py - b.y) - (c.y - b.y) * (px - b.x)) / area;
             const double v = ((a.x - c.x) * (py - c.y) - (a.y - c.y) * (px - c.x)) / area;
@@ -101,6 +121,7 @@ void draw(const CellPoint& a, const CellPoint& b, const CellPoint& c, Underside&
 void count_covered(Underside& out) {
     out.covered = static_cast<int>(std::count_if(out.heights.begin(), out.heights.end(),
                                                  [](float height) { return height < kNone; }));
+    out.lost = out.lost && out.covered == 0;
 }
 
 }  // namespace
@@ -119,11 +140,9 @@ Underside underside_of_checked(const meshing::TriMesh& mesh, const glm::dmat4& w
     for (const CellPoint& p : points)
         bounds = {std::min(bounds.left, p.x), std::max(bounds.right, p.x),
                   std::min(bounds.top, p.y), std::max(bounds.bottom, p.y)};
-    Underside out;
     if (points.empty())
-        return out;
-    out.window = window_of(bounds, grid.extent);
-    out.heights = FloatRaster(out.window.width, out.window.height, kNone);
+        return {};
+    Underside out = empty_over(bounds, grid.extent);
     for (const glm::uvec3& t : mesh.triangles)
         draw(points[t.x], points[t.y], points[t.z], out);
     count_covered(out);
@@ -137,11 +156,9 @@ Underside underside_of_sphere(const glm::dvec3& centre, double radius, const Cel
         fail<InvalidInput>("a sphere of radius ", radius, " m at (", centre.x, ", ", centre.y, ", ",
                            centre.z, ") has no underside, its numbers must be finite and positive");
     const double size = grid.cell_size;
-    Underside out;
-    out.window = window_of({(centre.x - radius) / size, (centre.x + radius) / size,
-                            (centre.z - radius) / size, (centre.z + radius) / size},
-                           grid.extent);
-    out.heights = FloatRaster(out.window.width, out.window.height, kNone);
+    Underside out = empty_over({(centre.x - radius) / size, (centre.x + radius) / size,
+                                (centre.z - radius) / size, (centre.z + radius) / size},
+                               grid.extent);
     for (int y = 0; y < out.window.height; ++y)
         for (int x = 0; x < out.window.width; ++x) {
             const double dx = (out.window.x + x + 0.5) * size - centre.x;

@@ -19,7 +19,9 @@ struct CellGrid {
 struct Underside {
     CellWindow window;    ///< The object's shadow on the ground, clipped to it; may be empty.
     FloatRaster heights;  ///< Metres, at the cells' centres; +infinity where there is no surface.
-    int covered = 0;      ///< Cells with a surface. 0 with a window: smaller than a cell, no track.
+    int covered = 0;      ///< Cells with a surface.
+    bool lost = false;    ///< All of it lies over the ground, but over no centre: it is smaller
+                          ///< than a cell and leaves no track.
 };
 
 /// Depth map of a placed mesh from below (`rocks-and-deformer.md` F.4, the sound form of ADDH).

@@ -6,8 +6,10 @@
 #include "vision/image_io.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <glm/ext/matrix_transform.hpp>
+#include <glm/trigonometric.hpp>
 
 namespace scree::terrain {
 namespace {
@@ -76,18 +78,31 @@ private:
     Photo colours_;
 };
 
+// The eye that the scene names, or one from which the whole ground is seen.
+TerrainCamera camera_of(const Scene& scene, const Simulation& simulation) {
+    const SceneCamera& wanted = scene.camera;
+    TerrainCamera camera;
+    if (wanted.eye_m) {
+        camera = {glm::vec3(*wanted.eye_m), glm::vec3(*wanted.target_m)};
+    } else {
+        const double aspect =
+            static_cast<double>(scene.outputs.picture_width) / scene.outputs.picture_height;
+        camera = camera_over(simulation.base(), wanted.azimuth_deg, wanted.elevation_deg, aspect);
+        const double nearer = std::tan(glm::radians(0.5 * camera.field_of_view_deg)) /
+                              std::tan(glm::radians(0.5 * wanted.field_of_view_deg));
+        camera.eye = camera.target + static_cast<float>(nearer) * (camera.eye - camera.target);
+    }
+    camera.field_of_view_deg = wanted.field_of_view_deg;
+    return camera;
+}
+
 // Draws with OpenGL: tessellated, displaced, shadowed.
 class GlPainter : public ScenePainter {
 public:
     GlPainter(const Scene& scene, const Simulation& simulation, std::unique_ptr<GlContext> context)
         : context_(std::move(context)), view_(*context_, ground_of(simulation), options_of(scene)) {
         const SceneCamera& camera = scene.camera;
-        frame_.camera =
-            camera.eye_m ? TerrainCamera{glm::vec3(*camera.eye_m), glm::vec3(*camera.target_m)}
-                         : camera_over(simulation.base(), camera.azimuth_deg, camera.elevation_deg,
-                                       static_cast<double>(scene.outputs.picture_width) /
-                                           scene.outputs.picture_height);
-        frame_.camera.field_of_view_deg = camera.field_of_view_deg;
+        frame_.camera = camera_of(scene, simulation);
         frame_.light.azimuth_deg = camera.light_azimuth_deg;
         frame_.light.elevation_deg = camera.light_elevation_deg;
     }

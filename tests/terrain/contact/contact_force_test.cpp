@@ -133,6 +133,22 @@ TEST(ContactForce, SeveralBodiesAddUp) {
     EXPECT_EQ(both.bodies[1].cells, second.bodies[0].cells);
 }
 
+// A column of soil inside the ball takes most of its force without a yield, and no more with one.
+TEST(ContactForce, SoilYieldsWhereTheForceIsTooGreat) {
+    const Underside ball = underside_of_sphere({2.02, 0.6, 1.97}, 0.8, kGrid);
+    const PressingBody body = body_of(ball, {900, 0, 0}, 0, {2.02, 1.97});
+    Flat flat(ball.window);
+    flat.heights(5, 9) = 0.5F;
+    const ContactOptions free{.unit_stress = 1000};
+    const ContactLoad spiked = contact_load({&body, 1}, flat.ground, free);
+    EXPECT_GT(spiked.load.force_x(5, 9), 3.0F);
+    EXPECT_EQ(spiked.bodies[0].unspent_force, 0.0);
+    const ContactOptions yielding{.unit_stress = 1000, .yield = 0.5};
+    const ContactLoad out = contact_load({&body, 1}, flat.ground, yielding);
+    EXPECT_NEAR(out.load.force_x(5, 9), 0.5, 1e-6);
+    EXPECT_NEAR(10 * sum_of(out.load.force_x) + out.bodies[0].unspent_force, 900, 1e-3);
+}
+
 // F.4 as printed: F = p * mobility * F_obj, neither shared out nor moved by weight.
 TEST(ContactForce, LiteralRuleIsAsPrinted) {
     const Underside ball = underside_of_sphere({2.0, 0.5, 2.0}, 0.8, kGrid);

@@ -143,6 +143,8 @@ TEST(Underside, OfSomethingSmallerThanACellIsLostAndSaysSo) {
     const Underside between = underside_of(grain, moved(1.0, 0.0, 1.0), kGrid);
     EXPECT_FALSE(between.window.empty());
     EXPECT_EQ(between.covered, 0);
+    EXPECT_TRUE(between.lost);
+    EXPECT_FALSE(underside_of(grain, moved(0.0, 0.0, 1.0), kGrid).lost);  // half outside
     EXPECT_EQ(underside_of(grain, moved(1.05, 0.0, 1.05), kGrid).covered, 1);
 }
 
