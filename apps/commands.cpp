@@ -32,6 +32,12 @@ std::span<const Command> commands() {
           "ground_normal.png and ground_height.exr, ground.frag.glsl and ground.tese.glsl. Says "
           "what a form could not keep. docs/description-maps.md describes the files."},
          run_describe},
+        {{"deform", "press, roll and drag objects over ground that gives way",
+          "scree deform testdata/scenes/sand.json -o out",
+          "Writes ddh.exr (displacements) and height.exr in metres, terrain.glb, frames, "
+          "preview.gif "
+          "and report.json: all of them, or none if it is stopped."},
+         run_deform},
         {{"score", "compare label maps with hand-made ones", "scree score out/labels.png truth.png",
           "Several pairs give a line each and their mean. Label maps have one channel of 8 or 16 "
           "bits; 0 is background and every other value one rock."},

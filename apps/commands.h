@@ -22,5 +22,6 @@ void run_procedural(Arguments& arguments);
 void run_describe(Arguments& arguments);
 void run_score(Arguments& arguments);
 void run_check(Arguments& arguments);
+void run_deform(Arguments& arguments);
 
 }  // namespace scree::apps
