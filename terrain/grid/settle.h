@@ -28,12 +28,12 @@ void describe(SettleOptions& o, Visitor&& field) {
 
 /// What settling did.
 struct SettleReport {
-    double sweeps = 0.0;      ///< Passes over the grid, coarse ones counted by their cells.
-    int cycles = 0;           ///< V-cycles.
-    int finished_areas = 0;   ///< Areas that the envelopes finished.
-    double excess_before = 0; ///< Slope by which the steepest face exceeded its limit.
-    double excess = 0;        ///< The same afterwards; at most the tolerance.
-    double moved_m3 = 0.0;    ///< Volume that lies elsewhere than before.
+    double sweeps = 0.0;       ///< Passes over the grid, coarse ones counted by their cells.
+    int cycles = 0;            ///< V-cycles.
+    int finished_areas = 0;    ///< Areas that the envelopes finished.
+    double excess_before = 0;  ///< Slope by which the steepest face exceeded its limit.
+    double excess = 0;         ///< The same afterwards; at most the tolerance.
+    double moved_m3 = 0.0;     ///< Volume that lies elsewhere than before.
 };
 
 /// Let soil slide until every face holds: at once, where the explicit scheme needs thousands of

@@ -27,7 +27,8 @@ void set_face(float higher_when_rising, float higher_when_falling, float kept, d
 }
 
 double face_excess(double difference, float rise, float fall) {
-    return std::max(difference - static_cast<double>(rise), -difference - static_cast<double>(fall));
+    return std::max(difference - static_cast<double>(rise),
+                    -difference - static_cast<double>(fall));
 }
 
 }  // namespace
@@ -59,19 +60,20 @@ double greatest_excess(const DoubleRaster& heights, const SlopeLimits& limits, d
         for (int x = 0; x < heights.width(); ++x) {
             const double here = heights(x, y);
             if (x + 1 < heights.width())
-                excess = std::max(excess, face_excess(heights(x + 1, y) - here,
-                                                      limits.rise_x(x, y), limits.fall_x(x, y)));
+                excess = std::max(excess, face_excess(heights(x + 1, y) - here, limits.rise_x(x, y),
+                                                      limits.fall_x(x, y)));
             if (y + 1 < heights.height())
-                excess = std::max(excess, face_excess(heights(x, y + 1) - here,
-                                                      limits.rise_z(x, y), limits.fall_z(x, y)));
+                excess = std::max(excess, face_excess(heights(x, y + 1) - here, limits.rise_z(x, y),
+                                                      limits.fall_z(x, y)));
         }
     return excess / cell_size;
 }
 
 DoubleRaster total_heights(const Heightfield& base, const FloatRaster& displacement) {
     DoubleRaster heights(displacement.width(), displacement.height());
-    std::transform(base.heights.begin(), base.heights.end(), displacement.begin(), heights.begin(),
-                   [](float b, float u) { return static_cast<double>(b) + static_cast<double>(u); });
+    std::transform(
+        base.heights.begin(), base.heights.end(), displacement.begin(), heights.begin(),
+        [](float b, float u) { return static_cast<double>(b) + static_cast<double>(u); });
     return heights;
 }
 
@@ -79,8 +81,8 @@ void store_displacement(const DoubleRaster& before, const DoubleRaster& heights,
                         const Heightfield& base, FloatRaster& displacement) {
     for (std::size_t i = 0; i < heights.size(); ++i)
         if (heights.data()[i] != before.data()[i])
-            displacement.data()[i] = static_cast<float>(
-                heights.data()[i] - static_cast<double>(base.heights.data()[i]));
+            displacement.data()[i] =
+                static_cast<float>(heights.data()[i] - static_cast<double>(base.heights.data()[i]));
 }
 
 void check_ground(const Heightfield& base, const FloatRaster& displacement) {
