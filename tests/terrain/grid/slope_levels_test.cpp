@@ -59,8 +59,8 @@ TEST(SlopeLevels, CountACoarsePassByItsCells) {
 }
 
 TEST(SlopeLevels, CarryAWidePileFurtherThanPassesOnOneLevelCould) {
-    FloatRaster step(128, 16);
-    for (int y = 0; y < 16; ++y)
+    FloatRaster step(128, 128);
+    for (int y = 0; y < 128; ++y)
         for (int x = 0; x < 64; ++x)
             step(x, y) = 10.0F;
     SlopeLevels levels = levels_of(step, 0.0F);
