@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "base/whole_file.h"
+#include "vision/exif_orientation.h"
 #include "vision/picture_header.h"
 
 #include <algorithm>
@@ -118,49 +119,6 @@ Photo read_colours(OIIO::ImageInput& input, const fs::path& path) {
     return photo;
 }
 
-// Where the value of pixel (x, y) of the upright picture lies in the stored one, after EXIF.
-glm::ivec2 stored_pixel(int orientation, int x, int y, int stored_width, int stored_height) {
-    const int right = stored_width - 1;
-    const int bottom = stored_height - 1;
-    switch (orientation) {
-        case 2:
-            return {right - x, y};
-        case 3:
-            return {right - x, bottom - y};
-        case 4:
-            return {x, bottom - y};
-        case 5:
-            return {y, x};
-        case 6:
-            return {y, bottom - x};
-        case 7:
-            return {right - y, bottom - x};
-        case 8:
-            return {right - y, x};
-        default:
-            return {x, y};
-    }
-}
-
-Photo upright(Photo stored, int orientation) {
-    if (orientation < 2 || orientation > 8)
-        return stored;
-    const bool turned = orientation >= 5;
-    Photo result(turned ? stored.height() : stored.width(),
-                 turned ? stored.width() : stored.height());
-    for (int y = 0; y < result.height(); ++y) {
-        const glm::ivec2 first = stored_pixel(orientation, 0, y, stored.width(), stored.height());
-        const glm::ivec2 step =
-            stored_pixel(orientation, 1, y, stored.width(), stored.height()) - first;
-        glm::ivec2 at = first;
-        for (glm::u8vec3* pixel = result.row(y); pixel != result.row(y) + result.width(); ++pixel) {
-            *pixel = stored(at.x, at.y);
-            at += step;
-        }
-    }
-    return result;
-}
-
 // Text metadata of formats without typed attributes comes back as a string.
 double number_attribute(const OIIO::ImageSpec& spec, const char* name, double otherwise) {
     const OIIO::ParamValue* found = spec.find_attribute(name);
@@ -225,6 +183,10 @@ PhotoFile read_photo(const fs::path& path, const ReadLimits& limits) {
     return file;
 }
 
+int count_channels(const fs::path& path, const ReadLimits& limits) {
+    return open_picture(path, limits)->spec().nchannels;
+}
+
 LabelMap read_labels(const fs::path& path, const ReadLimits& limits) {
     if (const int bits = read_picture_header(path).bits; bits > 0 && bits < 8)
         fail<InvalidInput>(path.string(), " is no label map: it has ", bits,
@@ -254,7 +216,8 @@ HeightImage read_heights(const fs::path& path, const ReadLimits& limits) {
     const double low = number_attribute(spec, kLow, 0.0);
     const double high = number_attribute(spec, kHigh, 1.0);
     const bool scaled = !is_float(spec);
-    HeightImage heights{FloatRaster(spec.width, spec.height), scale_attribute(spec)};
+    HeightImage heights{FloatRaster(spec.width, spec.height), scale_attribute(spec),
+                        !scaled || spec.find_attribute(kHigh) != nullptr};
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (!std::isfinite(values[i]))
             fail<InvalidInput>(path.string(), " holds heights that are no numbers");
@@ -262,6 +225,50 @@ HeightImage read_heights(const fs::path& path, const ReadLimits& limits) {
             scaled ? static_cast<float>(low + (high - low) * values[i]) : values[i];
     }
     return heights;
+}
+
+RgbaImage read_rgba(const fs::path& path, const ReadLimits& limits) {
+    const auto input = open_picture(path, limits);
+    const OIIO::ImageSpec spec = input->spec();
+    const bool wide = spec.format == OIIO::TypeDesc::UINT16;
+    if (spec.nchannels != 4 || !(wide || spec.format == OIIO::TypeDesc::UINT8))
+        fail<InvalidInput>(path.string(), " has ", spec.nchannels, " channels of ",
+                           spec.format.c_str(), ", four of 8 or 16 bits are needed");
+    RgbaImage picture{Raster<glm::u16vec4>(spec.width, spec.height), wide ? 16 : 8};
+    static_assert(sizeof(glm::u16vec4) == 8);
+    if (wide) {
+        read_into(*input, path, 4, OIIO::TypeDesc::UINT16, picture.values.data());
+        return picture;
+    }
+    const auto bytes = read_channels<std::uint8_t>(*input, path, 4, OIIO::TypeDesc::UINT8);
+    for (std::size_t i = 0; i < picture.values.size(); ++i)
+        picture.values.data()[i] = {bytes[4 * i], bytes[4 * i + 1], bytes[4 * i + 2],
+                                    bytes[4 * i + 3]};
+    return picture;
+}
+
+std::vector<NamedPlane> read_planes(const fs::path& path, const ReadLimits& limits) {
+    const auto input = open_picture(path, limits);
+    const OIIO::ImageSpec spec = input->spec();
+    if (!is_float(spec))
+        fail<InvalidInput>(path.string(), " holds whole numbers, a float picture is needed");
+    check_size(static_cast<double>(spec.width) * spec.nchannels, spec.height, path, limits);
+    const int n = spec.nchannels;
+    const auto values = read_channels<float>(*input, path, n, OIIO::TypeDesc::FLOAT);
+    std::vector<NamedPlane> planes;
+    for (int c = 0; c < n; ++c) {
+        planes.push_back({spec.channel_name(c), FloatRaster(spec.width, spec.height)});
+        FloatRaster& plane = planes.back().values;
+        for (std::size_t i = 0; i < plane.size(); ++i) {
+            const float value =
+                values[i * static_cast<std::size_t>(n) + static_cast<std::size_t>(c)];
+            if (!std::isfinite(value))
+                fail<InvalidInput>(path.string(), " holds values that are no numbers in channel ",
+                                   planes.back().name);
+            plane.data()[i] = value;
+        }
+    }
+    return planes;
 }
 
 void write_png(const fs::path& path, const Photo& picture) {
@@ -312,6 +319,47 @@ void write_heights_png(const fs::path& path, const HeightImage& heights) {
     spec[kHigh] = exact(static_cast<double>(base) + span);
     spec[kScale] = exact(heights.metres_per_pixel);
     write_pixels(path, spec, OIIO::TypeDesc::UINT16, coded.data());
+}
+
+void write_rgba_png(const fs::path& path, const RgbaImage& picture) {
+    const Raster<glm::u16vec4>& values = picture.values;
+    const bool wide = picture.bits == 16;
+    OIIO::ImageSpec spec = png_spec(values.width(), values.height(), 4,
+                                    wide ? OIIO::TypeDesc::UINT16 : OIIO::TypeDesc::UINT8);
+    spec.alpha_channel = 3;
+    spec["oiio:UnassociatedAlpha"] = 1;  // else the writer divides the other channels by alpha
+    if (wide) {
+        write_pixels(path, spec, OIIO::TypeDesc::UINT16, values.data());
+        return;
+    }
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(4 * values.size());
+    for (const glm::u16vec4& value : values)
+        for (int c = 0; c < 4; ++c)
+            bytes.push_back(static_cast<std::uint8_t>(std::min<int>(value[c], 255)));
+    write_pixels(path, spec, OIIO::TypeDesc::UINT8, bytes.data());
+}
+
+void write_planes_exr(const fs::path& path, std::span<const NamedPlane> planes) {
+    if (planes.empty())
+        fail<InvalidInput>(path.string(), " would hold no channels");
+    const FloatRaster& first = planes.front().values;
+    const std::size_t n = planes.size();
+    OIIO::ImageSpec spec(first.width(), first.height(), static_cast<int>(n), OIIO::TypeDesc::FLOAT);
+    std::vector<float> values(n * first.size());
+    for (std::size_t c = 0; c < n; ++c) {
+        if (planes[c].values.width() != first.width() ||
+            planes[c].values.height() != first.height())
+            fail<InvalidInput>(path.string(), ": plane ", planes[c].name, " has another size than ",
+                               planes.front().name);
+        spec.channelnames[c] = planes[c].name;
+        for (std::size_t i = 0; i < first.size(); ++i)
+            values[i * n + c] = planes[c].values.data()[i];
+    }
+    spec.alpha_channel = -1;
+    spec["compression"] = "zip";
+    spec["DateTime"] = "1970:01:01 00:00:00";  // else the present: same planes, other bytes
+    write_pixels(path, spec, OIIO::TypeDesc::FLOAT, values.data());
 }
 
 std::vector<std::uint8_t> encode_jpeg(const Photo& picture, int quality) {
