@@ -1,9 +1,9 @@
 #include "terrain/grid/deformer.h"
 
 #include "base/error.h"
-#include "terrain/grid/sound_step.h"
+#include "terrain/grid/literal_ground.h"
+#include "terrain/grid/sound_ground.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace scree::terrain {
@@ -18,26 +18,49 @@ void check_stability(const SoilField& soil, const DeformerOptions& options) {
                             " is beyond the stability bound ", bound, ", lower one of them");
 }
 
+void check_window(const CellWindow& window, const CellWindow& extent) {
+    if (window.width < 0 || window.height < 0 ||
+        (!window.empty() && intersection(window, extent) != window))
+        fail<InvalidInput>("the window of ", window.width, " x ", window.height, " cells at (",
+                           window.x, ", ", window.y, ") reaches outside the ground of ",
+                           extent.width, " x ", extent.height, " cells");
+}
+
+/// Beyond these the arithmetic in float could overflow.
+void check_range(const Heightfield& base) {
+    constexpr float kGreatest = 1e9F;
+    for (const float height : base.heights)
+        if (std::fabs(height) > kGreatest)
+            fail<InvalidInput>("the ground has a height of ", height,
+                               " m, heights must be within 1e9 m");
+}
+
 }  // namespace
 
 struct Deformer::State {
+    State(const Heightfield& heightfield, const SoilField& soil, const DeformerOptions& options)
+        : base(&heightfield) {
+        if (options.reading == Reading::Sound)
+            sound = std::make_unique<SoundGround>(heightfield, soil, options);
+        else
+            literal = std::make_unique<LiteralGround>(heightfield, soil, options);
+    }
+
+    DeformerReport step(std::span<const Load> loads, float* moved) {
+        return sound ? sound->step(loads, moved) : literal->step(loads, moved);
+    }
+
     const Heightfield* base;
-    SoilTile soil;
-    DeformerOptions options;
-    SoundRule rule;
-    FloatRaster displacement;
+    std::unique_ptr<SoundGround> sound;  ///< One of the two, by the reading.
+    std::unique_ptr<LiteralGround> literal;
 };
 
 Deformer::Deformer(const Heightfield& base, const SoilField& soil, const DeformerOptions& options) {
     check(options);
     check_heightfield(base);
+    check_range(base);
     check_stability(soil, options);
-    state_ = std::make_unique<State>();
-    state_->base = &base;
-    state_->options = options;
-    state_->rule = sound_rule(base, options);
-    state_->displacement = FloatRaster(base.heights.width(), base.heights.height());
-    soil.fill(extent(), state_->soil);
+    state_ = std::make_unique<State>(base, soil, options);
 }
 
 Deformer::~Deformer() = default;
@@ -47,27 +70,15 @@ Deformer& Deformer::operator=(Deformer&&) noexcept = default;
 DeformerReport Deformer::step(std::span<const Load> loads) {
     for (const Load& load : loads)
         check_load(load);
-    DeformerReport report{.tiles_stepped = 1};
-    for (int i = 0; i < state_->options.iterations; ++i) {
-        SoundStep next =
-            sound_step(*state_->base, state_->soil, loads, state_->displacement, state_->rule);
-        report.compacted_m3 += next.compacted_m3;
-        report.at_rest = next.displacement == state_->displacement;
-        state_->displacement = std::move(next.displacement);
-    }
-    return report;
+    return state_->step(loads, nullptr);
 }
 
 DeformerReport Deformer::settle(int max_frames, double tolerance_m) {
     DeformerReport report;
     for (int frame = 0; frame < max_frames; ++frame) {
-        const FloatRaster before = state_->displacement;
-        report = step({});
-        double moved = 0.0;
-        for (std::size_t i = 0; i < before.size(); ++i)
-            moved = std::max(moved,
-                             std::fabs(double{state_->displacement.data()[i]} - before.data()[i]));
-        report.at_rest = moved <= tolerance_m;
+        float moved = 0.0F;
+        report = state_->step({}, &moved);
+        report.at_rest = report.at_rest || double{moved} <= tolerance_m;
         if (report.at_rest)
             break;
     }
@@ -75,18 +86,23 @@ DeformerReport Deformer::settle(int max_frames, double tolerance_m) {
 }
 
 FloatRaster Deformer::displacement(const CellWindow& window) const {
+    check_window(window, extent());
     FloatRaster result(window.width, window.height);
-    for (int y = 0; y < window.height; ++y)
-        for (int x = 0; x < window.width; ++x)
-            result(x, y) = state_->displacement(window.x + x, window.y + y);
+    if (state_->sound)
+        state_->sound->store().read(window, result.data(), window.width);
+    else
+        state_->literal->read_displacement(window, result);
     return result;
 }
 
 FloatRaster Deformer::heights(const CellWindow& window) const {
     FloatRaster result = displacement(window);
-    for (int y = 0; y < window.height; ++y)
+    for (int y = 0; y < window.height; ++y) {
+        const float* base = state_->base->heights.row(window.y + y) + window.x;
+        float* row = result.row(y);
         for (int x = 0; x < window.width; ++x)
-            result(x, y) += state_->base->heights(window.x + x, window.y + y);
+            row[x] += base[x];
+    }
     return result;
 }
 
@@ -99,14 +115,12 @@ double Deformer::cell_size() const {
 }
 
 double Deformer::displaced_volume() const {
-    double sum = 0.0;
-    for (const float u : state_->displacement)
-        sum += u;
+    const double sum = state_->sound ? state_->sound->store().sum() : state_->literal->sum();
     return sum * cell_size() * cell_size();
 }
 
 std::size_t Deformer::bytes() const {
-    return state_->displacement.size() * sizeof(float);
+    return state_->sound ? state_->sound->bytes() : state_->literal->bytes();
 }
 
 }  // namespace scree::terrain

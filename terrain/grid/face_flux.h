@@ -7,33 +7,45 @@
 // plain step and the tiled one both call it, and the compiler vectorises loops over it.
 namespace scree::terrain {
 
-/// The largest multiple of `quantum`, a power of two, that is not above `amount`.
+/// A multiple of `quantum`, a power of two, that is not above `amount` and less than two quanta
+/// below; 0 for negative amounts.
 ///
 /// Every volume that changes cells is such a multiple, so displacements are too, and sums of them
 /// are exact in float as long as they stay below 2^24 quanta: what one cell loses another gains to
-/// the last bit, in any order of summation. Rounding down keeps the maximum principle.
-/// @pre  amount >= 0; from 2^23 quanta on the result is only near `amount`.
+/// the last bit, in any order of summation. Rounding down keeps the maximum principle. From 2^23
+/// quanta on the result is only near `amount`.
 inline float quantised(float amount, float quantum) {
-    const float shift = quantum * 8388608.0F;  // 2^23: its neighbours in float are quanta apart
-    const float nearest = (amount + shift) - shift;
-    return nearest > amount ? nearest - quantum : nearest;
+    const float shift = quantum * 8388608.0F;  // 2^23: floats from here on are quanta apart
+    return std::max(amount + (shift - 0.5F * quantum), shift) - shift;
 }
 
-/// Arc tangent to 1.4e-7 rad without branches or calls, so that loops over it vectorise.
-/// @pre  tangent >= 0.
-inline float arctangent(float tangent) {
-    const bool steep = tangent > 1.0F;
-    const float x = steep ? 1.0F / tangent : tangent;
-    const float z = x * x;
-    float sum = -0.00455979199F;  // through atan(sqrt z) / sqrt z at the Chebyshev nodes of [0, 1]
+/// Arc tangent of the square root of z in [0, 1], over that root; to 1.4e-7 rad.
+inline float arctangent_series(float z) {
+    float sum = -0.00455979199F;  // interpolates at the Chebyshev nodes of [0, 1]
     sum = sum * z + 0.0237805186F;
     sum = sum * z - 0.0588297531F;
     sum = sum * z + 0.0986886546F;
     sum = sum * z - 0.140032902F;
     sum = sum * z + 0.199669618F;
     sum = sum * z - 0.333318127F;
-    sum = sum * z + 0.999999882F;
-    const float angle = sum * x;
+    return sum * z + 0.999999882F;
+}
+
+/// Arc tangent without branches or calls, so that loops over it vectorise.
+/// @pre  tangent >= 0.
+inline float arctangent(float tangent) {
+    const bool steep = tangent > 1.0F;
+    const float x = steep ? 1.0F / tangent : tangent;
+    const float angle = arctangent_series(x * x) * x;
+    return steep ? 1.57079633F - angle : angle;
+}
+
+/// Arc tangent of the square root.
+/// @pre  square >= 0.
+inline float arctangent_of_root(float square) {
+    const bool steep = square > 1.0F;
+    const float z = steep ? 1.0F / square : square;
+    const float angle = arctangent_series(z) * std::sqrt(z);
     return steep ? 1.57079633F - angle : angle;
 }
 
@@ -44,7 +56,7 @@ inline float face_diffusion(float a, float b) {
 }
 
 /// Slide through a face by the slope in excess of repose (C.8, `Excess`), metres of height,
-/// unsigned.
+/// unsigned; negative where the slope holds.
 /// @param difference       Height difference across the face.
 /// @param base_difference  That of the base, if its own steepness holds (C.7); else 0.
 /// @param threshold        tan(repose) of the higher cell times the cell size.
@@ -52,7 +64,7 @@ inline float face_diffusion(float a, float b) {
 inline float excess_slide(float difference, float base_difference, float threshold,
                           float diffusion) {
     const float holds = std::max(threshold, std::fabs(base_difference));
-    return std::max(std::fabs(difference) - holds, 0.0F) * diffusion;
+    return (std::fabs(difference) - holds) * diffusion;
 }
 
 /// Slide through a face by the slope, weighted by its angle above repose (4.4 on faces, C.8

@@ -161,7 +161,13 @@ SoundStep sound_step(const Heightfield& base, const SoilTile& soil, std::span<co
 
 void check_load(const Load& load) {
     constexpr float kGreatest = 1e9F;
+    constexpr int kFarthest = 1 << 28;
     const CellWindow& window = load.window;
+    const bool near = window.x >= -kFarthest && window.x <= kFarthest && window.y >= -kFarthest &&
+                      window.y <= kFarthest;
+    if (!near)
+        fail<InvalidInput>("the load's window begins at (", window.x, ", ", window.y,
+                           "), which is far outside any ground");
     for (const FloatRaster* raster : {&load.force_x, &load.force_z, &load.underside})
         if (raster->width() != window.width || raster->height() != window.height)
             fail<InvalidInput>("a raster of the load has ", raster->width(), " x ",
