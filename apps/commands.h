@@ -21,5 +21,6 @@ void run_scatter(Arguments& arguments);
 void run_procedural(Arguments& arguments);
 void run_score(Arguments& arguments);
 void run_check(Arguments& arguments);
+void run_classify(Arguments& arguments);
 
 }  // namespace scree::apps
