@@ -47,6 +47,12 @@ std::span<const Command> commands() {
           "Looks where other validators do not: at EXT_mesh_gpu_instancing, bounds, indices and "
           "the tree of nodes. The exit status is 1 if there is an error."},
          run_check},
+        {{"classify", "cut a photograph of ground into sand, mud, pebbles, rock and grass",
+          "scree classify ground.jpg -o out --width-m 3",
+          "Without --width-m the scale is taken from the photograph's metadata; where that has "
+          "none, a pixel counts as a millimetre. With --heights, ground steeper than a class can "
+          "lie speaks against it."},
+         run_classify},
     };
     return table;
 }

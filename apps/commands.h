@@ -23,5 +23,6 @@ void run_describe(Arguments& arguments);
 void run_score(Arguments& arguments);
 void run_check(Arguments& arguments);
 void run_deform(Arguments& arguments);
+void run_classify(Arguments& arguments);
 
 }  // namespace scree::apps
