@@ -15,7 +15,7 @@ using meshing::TriMesh;
 
 // A rest of the dose below this share of it is rounding.
 constexpr double kDoseRounding = 1e-9;
-constexpr double kVanishedEdge = 1e-18;  // metres
+constexpr double kVanishedEdge = 1e-6;  // of the first step's
 
 StepRules rules_of(const WeatheringOptions& o) {
     StepRules rules;
@@ -87,7 +87,9 @@ struct Weathering::Run {
         if (options.freeze_scale)
             now.frozen_factor = report.last.factor;
         // Steps follow the edges, so a body shrinks without end; floats do not.
-        report.vanished = report.last.mean_edge < kVanishedEdge;
+        if (now.start_edge == 0.0)
+            now.start_edge = report.last.mean_edge;
+        report.vanished = report.last.mean_edge < kVanishedEdge * now.start_edge;
         now.dose += size;
         ++now.steps;
         ++report.steps_taken;

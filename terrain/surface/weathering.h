@@ -105,6 +105,7 @@ struct WeatheringState {
     double dose = 0.0;
     double dose_wanted = 0.0;
     double step_limit = 0.0;
+    double start_edge = 0.0;  ///< Mean edge at the first step, metres.
     std::int64_t restarts = 0;
     std::int64_t n_collapsed = 0;
     std::int64_t n_at_start = 0;
