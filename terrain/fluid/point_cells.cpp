@@ -32,13 +32,12 @@ PointCells::PointCells(std::span<const glm::vec3> points, float edge)
         starts_.assign(2, 0);
         return;
     }
-    glm::vec3 low = points[0];
-    glm::vec3 high = points[0];
+    low_ = high_ = points[0];
     for (const glm::vec3& p : points) {
-        low = glm::min(low, p);
-        high = glm::max(high, p);
+        low_ = glm::min(low_, p);
+        high_ = glm::max(high_, p);
     }
-    grid_ = make_cell_grid(low, high, edge, 65536 + 16 * n);
+    grid_ = make_cell_grid(low_, high_, edge, 65536 + 16 * n);
 
     std::vector<std::uint32_t> cells(n);
     parallel_for_each_index(0, n, kGrain, [&](std::size_t i) {

@@ -5,13 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vector_relational.hpp>
 
 namespace scree::terrain {
 
@@ -74,6 +74,9 @@ public:
     float nearest_squared(const glm::vec3& centre, float reach) const {
         float best = reach * reach;
         bool found = false;
+        if (points_.empty() || glm::any(glm::lessThan(centre + 1.00001F * reach, low_)) ||
+            glm::any(glm::greaterThan(centre - 1.00001F * reach, high_)))
+            return std::numeric_limits<float>::infinity();
         // The little more keeps rounding from losing points on the rim.
         runs_near(centre, reach * 1.00001F, [&](std::uint32_t first, std::uint32_t last) {
             for (std::uint32_t k = first; k < last; ++k) {
@@ -88,6 +91,7 @@ public:
 
 private:
     CellGrid grid_;
+    glm::vec3 low_{0.0F}, high_{0.0F};
     std::vector<glm::vec3> points_;
     std::vector<std::uint32_t> order_;
     std::vector<std::uint32_t> starts_;  ///< Of each cell, and one past the last.

@@ -1,0 +1,9 @@
+scree_add_sources(terrain
+  HEADERS
+    erosion_ground.h
+    sediment.h
+    wet_erosion.h
+  SOURCES
+    erosion_ground.cpp
+    sediment.cpp
+    wet_erosion.cpp)
