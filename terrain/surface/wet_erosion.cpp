@@ -2,12 +2,12 @@
 
 #include "base/parallel.h"
 #include "base/stopwatch.h"
+#include "meshing/curvature/umbrella.h"
 #include "meshing/mesh/normals.h"
 #include "terrain/fluid/point_cells.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <glm/geometric.hpp>
 
@@ -15,62 +15,22 @@ namespace scree::terrain {
 namespace {
 
 using meshing::Adjacency;
+using meshing::CurvatureRange;
 using meshing::RimPolicy;
 using meshing::TriMesh;
 
 constexpr std::size_t kGrain = 1024;
-constexpr float kFlatShare = -0.05F;  // least over greatest magnitude from which hollows count
-
-struct CurvatureRange {
-    float least = 0.0F;
-    float greatest = 0.0F;
-};
-
-// On a rim the estimate is one-sided, so it takes no part.
-CurvatureRange range_of(const std::vector<float>& curvature, const Adjacency& adjacency) {
-    CurvatureRange range{std::numeric_limits<float>::max(), std::numeric_limits<float>::lowest()};
-    for (std::size_t i = 0; i < curvature.size(); ++i)
-        if (adjacency.rim[i] == 0) {
-            range.least = std::min(range.least, curvature[i]);
-            range.greatest = std::max(range.greatest, curvature[i]);
-        }
-    return range.least <= range.greatest ? range : CurvatureRange{};
-}
-
-// Unsigned scaling (`mesh-erosion.md` 2.3), 0 to 1.
-class SpeedScale {
-public:
-    SpeedScale(const CurvatureRange& range, WetRange how) : range_(range) {
-        magnitude_ = std::max(std::abs(range.least), std::abs(range.greatest));
-        symmetric_ = how == WetRange::Symmetric ||
-                     (how == WetRange::Auto && range.least >= kFlatShare * magnitude_);
-    }
-    float operator()(float h) const {
-        const float low = symmetric_ ? -magnitude_ : range_.least;
-        const float high = symmetric_ ? magnitude_ : range_.greatest;
-        return high > low ? std::clamp((h - low) / (high - low), 0.0F, 1.0F) : 0.5F;
-    }
-
-private:
-    CurvatureRange range_;
-    float magnitude_ = 0.0F;
-    bool symmetric_ = false;
-};
 
 // Share of the umbrella direction, from the signed curvature (`mesh-erosion.md` 7.4).
 float umbrella_share(float h, const CurvatureRange& range) {
     if (h >= 0.0F)
-        return range.greatest > 0.0F ? std::min(1.0F, h / range.greatest) : 0.0F;
-    return range.least < 0.0F ? std::min(1.0F, h / range.least) : 0.0F;
+        return range.high > 0.0F ? std::min(1.0F, h / range.high) : 0.0F;
+    return range.low < 0.0F ? std::min(1.0F, h / range.low) : 0.0F;
 }
 
-glm::vec3 umbrella_direction(const TriMesh& mesh, const Adjacency& adjacency, std::size_t vertex) {
-    const glm::vec3 at = mesh.positions[vertex];
-    glm::vec3 sum(0.0F);
-    for (const std::uint32_t j : adjacency.neighbours_of(vertex))
-        sum += mesh.positions[j] - at;
-    const float length = glm::length(sum);
-    return length > 0.0F ? sum / length : glm::vec3(0.0F);
+glm::vec3 unit_or_zero(const glm::vec3& v) {
+    const float length = glm::length(v);
+    return length > 0.0F ? v / length : glm::vec3(0.0F);
 }
 
 void collect_wet(const Adjacency& adjacency, const WetErosionOptions& options,
@@ -88,7 +48,6 @@ void collect_wet(const Adjacency& adjacency, const WetErosionOptions& options,
 struct Move {
     const WetErosionOptions& options;
     const CurvatureRange& range;
-    const SpeedScale speed;
     float limit;  // mean edge / x
 };
 
@@ -98,7 +57,7 @@ glm::vec3 displacement(const Move& move, bool on_rim, const WetErosionScratch& s
     const std::uint32_t i = s.wet[k];
     const float h = s.curvature[i];
     const glm::vec3& normal = s.normals[i];
-    const float scaled = move.speed(h);
+    const float scaled = s.speeds[i];
     const float speed =
         move.options.power == 1.0
             ? scaled
@@ -170,19 +129,19 @@ WetErosionReport erode_wet(TriMesh& mesh, const Adjacency& adjacency,
     meshing::vertex_normals(mesh, adjacency, meshing::NormalWeight::Sphere, s.normals);
     meshing::mean_curvature(mesh, adjacency, s.normals, options.curvature, s.estimator,
                             s.curvature);
-    const CurvatureRange range = range_of(s.curvature, adjacency);
-    report.least_curvature = static_cast<double>(range.least);
-    report.greatest_curvature = static_cast<double>(range.greatest);
+    const CurvatureRange range = meshing::curvature_range(s.curvature, adjacency);
+    s.speeds = meshing::scale_unsigned(s.curvature, range, options.range);
+    report.least_curvature = static_cast<double>(range.low);
+    report.greatest_curvature = static_cast<double>(range.high);
     report.curvature_seconds = watch.lap();
 
     s.directions.resize(s.wet.size());
     parallel_for_each_index(0, s.wet.size(), kGrain, [&](std::size_t k) {
-        s.directions[k] = umbrella_direction(mesh, adjacency, s.wet[k]);
+        s.directions[k] = unit_or_zero(meshing::umbrella_vector(mesh, adjacency, s.wet[k]));
     });
     report.laplacian_seconds = watch.lap();
 
-    const Move move{options, range, SpeedScale(range, options.range),
-                    static_cast<float>(report.mean_edge / options.step_limit)};
+    const Move move{options, range, static_cast<float>(report.mean_edge / options.step_limit)};
     move_wet(mesh, adjacency, move, s, report);
     report.displacement_seconds = watch.lap();
     return report;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/options.h"
+#include "meshing/curvature/curvature_scale.h"
 #include "meshing/curvature/mean_curvature.h"
 #include "meshing/mesh/adjacency.h"
 #include "meshing/mesh/tri_mesh.h"
@@ -8,31 +9,18 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
 namespace scree::terrain {
 
-/// How curvature becomes speed, 0 to 1 (`mesh-erosion.md` 2.3).
-enum class WetRange {
-    Auto,       ///< MinMax where the mesh has real hollows (least below -0.05 of the greatest
-                ///< magnitude), else Symmetric.
-    MinMax,     ///< From the least to the greatest curvature; without hollows, flats stand still.
-    Symmetric,  ///< Flats always get a half.
-};
-inline constexpr std::string_view kWetRangeNames[] = {"auto", "min-max", "symmetric"};
-constexpr std::span<const std::string_view> names_of(WetRange) {
-    return kWetRangeNames;
-}
-
 /// Water wears the surface where it touches it.
 struct WetErosionOptions {
     double influence = 1.0;    ///< Reach of a particle, in mean edges; 3 rounds the banks.
     double power = 1.0;        ///< Of the scaled curvature: higher spares what is flat.
     double step_limit = 10.0;  ///< A step moves a vertex by at most a mean edge over this.
-    WetRange range = WetRange::Auto;
+    meshing::UnsignedScale range = meshing::UnsignedScale::Automatic;  ///< Curvature to speed.
     Reading concave = Reading::Sound;  ///< Literal: hollows may fill up, as the source has it.
     meshing::RimPolicy rim = meshing::RimPolicy::Pinned;
     meshing::CurvatureMethod curvature = meshing::CurvatureMethod::Tensor;
@@ -72,6 +60,7 @@ struct WetErosionScratch {
     std::vector<glm::vec3> normals;
     std::vector<float> curvature;       ///< Mean curvature, one over metres.
     std::vector<glm::vec3> directions;  ///< Unit umbrella vectors of the wet vertices.
+    std::vector<float> speeds;          ///< Curvature as 0 to 1.
     meshing::CurvatureScratch estimator;
 };
 
