@@ -1,0 +1,213 @@
+#include "terrain/surface/erosion_loop.h"
+
+#include "base/error.h"
+#include "base/stopwatch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace scree::terrain {
+namespace {
+
+using meshing::Adjacency;
+
+constexpr double kDoseSlack = 1e-9;  // of a step: sums of 1/x are rounded
+
+void check_options(const ErosionLoopOptions& loop, const ErosionHooks& hooks) {
+    check(loop);
+    if (loop.small_faces && !hooks.collapse_small_faces)
+        fail<InvalidOption>("small-faces is on, but nothing that collapses them was given");
+    if (loop.small_faces && loop.scheme == ErosionScheme::Sediment)
+        fail<InvalidOption>(
+            "small-faces is on under the scheme sediment, which is kept by vertex; take the scheme "
+            "wear or leave small faces");
+    if (loop.weathering > 0.0 && !hooks.weather)
+        fail<InvalidOption>("weathering is ", loop.weathering,
+                            ", but nothing that weathers was given");
+}
+
+class Loop {
+public:
+    Loop(ErosionRun& run, ParticleFluid& fluid, const ErosionLoopOptions& loop,
+         const ErosionHooks& hooks)
+        : run_(run), fluid_(fluid), loop_(loop), hooks_(hooks) {}
+
+    void run(WetErosionOptions wet, SedimentOptions sediment) {
+        begin(wet, sediment);
+        const double first =
+            loop_.scheme == ErosionScheme::Wear ? wet.step_limit : sediment.step_limit;
+        const double target = loop_.steps / first;
+        while (loop_.keep_dose ? run_.dose < target - kDoseSlack / first
+                               : run_.report.steps < loop_.steps) {
+            report_progress(hooks_.progress, "eroding",
+                            std::min(1.0, target > 0.0 ? run_.dose / target : 1.0));
+            wet.step_limit = sediment.step_limit = run_.step_limit;
+            step(wet, sediment);
+            const bool last = run_.dose >= target - kDoseSlack / first;
+            if (due(last) && !look(last))
+                break;
+            if (hooks_.after_step)
+                hooks_.after_step(run_);
+        }
+        report_progress(hooks_.progress, "eroding", 1.0);
+        end();
+    }
+
+private:
+    void begin(const WetErosionOptions& wet, const SedimentOptions& sediment) {
+        check(wet);
+        check(sediment);
+        meshing::check_mesh(run_.mesh);
+        adjacency_ = meshing::build_adjacency(run_.mesh);
+        if (run_.fluid.size() > 0 || run_.fluid.seconds > 0.0)
+            fluid_.restore(run_.fluid);
+        if (run_.step_limit == 0.0) {
+            run_.step_limit =
+                loop_.scheme == ErosionScheme::Wear ? wet.step_limit : sediment.step_limit;
+            run_.report.volume_before = meshing::signed_volume(run_.mesh);
+            if (looks())
+                run_.report.intersections_before = hooks_.count_crossings(run_.mesh);
+        }
+        run_.report.finished = true;
+        fluid_.set_mesh(run_.mesh);
+        for (; run_.warmed_up < loop_.warm_up; ++run_.warmed_up) {
+            report_progress(hooks_.progress, "letting the water in",
+                            static_cast<double>(run_.warmed_up) / loop_.warm_up);
+            fluid_.step(loop_.frame_seconds);
+        }
+        run_.fluid = fluid_.state();
+        if (looks())
+            clean_ = run_;
+    }
+
+    bool looks() const { return loop_.check_every > 0 && hooks_.count_crossings != nullptr; }
+
+    bool due(bool last) const {
+        return looks() && (last || run_.report.steps % loop_.check_every == 0);
+    }
+
+    void step(const WetErosionOptions& wet, const SedimentOptions& sediment) {
+        ErosionTimes& times = run_.report.times;
+        Stopwatch whole;
+        Stopwatch watch;
+        fluid_.step(loop_.frame_seconds);
+        times.fluid += watch.lap();
+        if (loop_.scheme == ErosionScheme::Wear)
+            wear(wet);
+        else
+            settle(sediment);
+        watch.lap();
+        keep_up();
+        times.upkeep += watch.lap();
+        fluid_.set_mesh(run_.mesh);
+        run_.fluid = fluid_.state();
+        times.fluid += watch.lap();
+        times.iteration += whole.lap();
+        count();
+    }
+
+    void wear(const WetErosionOptions& wet) {
+        const WetErosionReport did =
+            erode_wet(run_.mesh, adjacency_, colliding_positions(fluid_.state()), wet, scratch_);
+        ErosionTimes& times = run_.report.times;
+        times.affected += did.affected_seconds;
+        times.curvature += did.curvature_seconds;
+        times.laplacian += did.laplacian_seconds;
+        times.displacement += did.displacement_seconds;
+        n_affected_ = did.n_affected;
+    }
+
+    void settle(const SedimentOptions& sediment) {
+        Stopwatch watch;
+        const SedimentReport did = exchange_sediment(run_.mesh, adjacency_, fluid_.state(),
+                                                     loop_.frame_seconds, sediment, run_.sediment);
+        run_.report.times.displacement += watch.lap();
+        n_affected_ = did.n_moved;
+    }
+
+    void keep_up() {
+        if (loop_.weathering > 0.0)
+            hooks_.weather(run_.mesh, adjacency_, loop_.weathering);
+        if (!loop_.small_faces)
+            return;
+        const std::size_t gone = hooks_.collapse_small_faces(run_.mesh);
+        run_.report.n_collapsed += gone;
+        if (gone > 0)
+            adjacency_ = meshing::build_adjacency(run_.mesh);
+    }
+
+    // Means over the steps so far.
+    void count() {
+        ErosionReport& report = run_.report;
+        ++report.steps;
+        run_.dose += 1.0 / run_.step_limit;
+        const double share = 1.0 / report.steps;
+        const auto fold = [&](double& mean, std::size_t value) {
+            mean += (static_cast<double>(value) - mean) * share;
+        };
+        std::size_t touching = 0;
+        for (const FluidContact& contact : fluid_.state().contacts)
+            touching += contact.touching() ? 1 : 0;
+        fold(report.mean_particles, fluid_.state().size());
+        fold(report.mean_touching, touching);
+        fold(report.mean_affected, n_affected_);
+    }
+
+    // Keeps a sound state, or goes back to the last one; false ends the run there.
+    bool look(bool last) {
+        Stopwatch watch;
+        const std::size_t crossings = hooks_.count_crossings(run_.mesh);
+        run_.report.times.upkeep += watch.lap();
+        if (crossings <= run_.report.intersections_before) {
+            run_.report.intersections = crossings;
+            if (!last)
+                clean_ = run_;
+            return true;
+        }
+        const int restarts = run_.report.restarts + 1;
+        const ErosionTimes times = run_.report.times;
+        const double shorter = run_.step_limit * loop_.shorten;
+        run_ = *clean_;
+        run_.report.times = times;
+        fluid_.restore(run_.fluid);
+        fluid_.set_mesh(run_.mesh);
+        adjacency_ = meshing::build_adjacency(run_.mesh);
+        run_.report.finished = restarts <= loop_.max_restarts;
+        if (!run_.report.finished)
+            return false;
+        run_.report.restarts = restarts;
+        run_.step_limit = shorter;
+        clean_->step_limit = shorter;
+        clean_->report.restarts = restarts;
+        return true;
+    }
+
+    void end() {
+        ErosionReport& report = run_.report;
+        report.step_limit = run_.step_limit;
+        report.volume = meshing::signed_volume(run_.mesh);
+        if (!looks() && hooks_.count_crossings)
+            report.intersections = hooks_.count_crossings(run_.mesh);
+    }
+
+    ErosionRun& run_;
+    ParticleFluid& fluid_;
+    const ErosionLoopOptions& loop_;
+    const ErosionHooks& hooks_;
+    Adjacency adjacency_;
+    WetErosionScratch scratch_;
+    std::optional<ErosionRun> clean_;
+    std::size_t n_affected_ = 0;
+};
+
+}  // namespace
+
+void run_erosion(ErosionRun& run, ParticleFluid& fluid, const ErosionLoopOptions& loop,
+                 const WetErosionOptions& wet, const SedimentOptions& sediment,
+                 const ErosionHooks& hooks) {
+    check_options(loop, hooks);
+    Loop(run, fluid, loop, hooks).run(wet, sediment);
+}
+
+}  // namespace scree::terrain
