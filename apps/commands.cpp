@@ -23,6 +23,12 @@ std::span<const Command> commands() {
         {{"procedural", "make rocks from spherical noise, without a photograph",
           "scree procedural -o rock.glb --seed 7 --count 9 --picture rocks.png", ""},
          run_procedural},
+        {{"erode", "let water wear a mesh: fluid, erosion, meshes and pictures of both",
+          "scree erode testdata/scenes/erode_canyon.json -o out",
+          "The scene is described in docs/hydraulic-erosion.md. Frames and checkpoints appear one "
+          "by "
+          "one, each whole, all else at the end."},
+         run_erode},
         {{"score", "compare label maps with hand-made ones", "scree score out/labels.png truth.png",
           "Several pairs give a line each and their mean. Label maps have one channel of 8 or 16 "
           "bits; 0 is background and every other value one rock."},

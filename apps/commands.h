@@ -19,6 +19,7 @@ void run_rocks(Arguments& arguments);
 void run_mesh(Arguments& arguments);
 void run_scatter(Arguments& arguments);
 void run_procedural(Arguments& arguments);
+void run_erode(Arguments& arguments);
 void run_score(Arguments& arguments);
 void run_check(Arguments& arguments);
 

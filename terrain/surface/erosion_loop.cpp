@@ -44,6 +44,7 @@ public:
                             std::min(1.0, target > 0.0 ? run_.dose / target : 1.0));
             wet.step_limit = sediment.step_limit = run_.step_limit;
             step(wet, sediment);
+            run_.sound = !looks();
             const bool last = run_.dose >= target - kDoseSlack / first;
             if (due(last) && !look(last))
                 break;
@@ -161,6 +162,7 @@ private:
         run_.report.times.upkeep += watch.lap();
         if (crossings <= run_.report.intersections_before) {
             run_.report.intersections = crossings;
+            run_.sound = true;
             if (!last)
                 clean_ = run_;
             return true;

@@ -91,6 +91,8 @@ struct ErosionRun {
     double step_limit = 0.0;  ///< 0 before the first step.
     double dose = 0.0;        ///< Sum of one over the step limits.
     int warmed_up = 0;        ///< Frames.
+    bool sound = true;        ///< Looked at for self-intersections, or never is: a run that goes on
+                              ///< from here ends as one that was never stopped.
     ErosionReport report;
 };
 
