@@ -6,6 +6,7 @@
 #include "meshing/gltf/gltf_morph.h"
 #include "meshing/gltf/gltf_read.h"
 #include "meshing/gltf/gltf_write.h"
+#include "meshing/mesh/bounds.h"
 #include "meshing/mesh/normals.h"
 #include "terrain/fluid/particle_ply.h"
 #include "terrain/surface/erosion_checkpoint.h"
@@ -123,6 +124,13 @@ private:
     int last_checkpoint_ = 0;
 };
 
+// A little below both, so that their pictures show the same block.
+float base_below(const TriMesh& before, const TriMesh& after) {
+    const meshing::Box a = meshing::bounding_box(before);
+    const meshing::Box b = meshing::bounding_box(after);
+    return std::min(a.min.y, b.min.y) - 0.1F * (a.max.y - a.min.y);
+}
+
 void write_results(const ErosionJob& job, const ErosionScene& scene, const TriMesh& first,
                    const ErosionRun& run, const Recorder& recorder, ErosionOutcome& outcome) {
     OutputBatch batch;
@@ -138,10 +146,12 @@ void write_results(const ErosionJob& job, const ErosionScene& scene, const TriMe
         write_staged_file(stage("morph.glb"),
                           meshing::encode_morph_glb({"ground", run.mesh, recorder.shapes(), 4.0}));
     if (scene.output.pictures) {
-        vision::write_png(stage("before.png"), picture_of_ground(first, scene.output));
-        vision::write_png(stage("after.png"), picture_of_ground(run.mesh, scene.output));
+        const float base = base_below(first, run.mesh);
+        const terrain::ErosionOutput& view = scene.output;
+        vision::write_png(stage("before.png"), picture_of_ground(first, base, view));
+        vision::write_png(stage("after.png"), picture_of_ground(run.mesh, base, view));
         vision::write_png(stage("water.png"),
-                          picture_of_erosion(run.mesh, first.positions, run.fluid, scene.output));
+                          picture_of_erosion(run.mesh, first.positions, base, run.fluid, view));
     }
     const fs::path report = stage("report.json");
     write_staged_file(report, erosion_json(outcome));

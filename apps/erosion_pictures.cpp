@@ -41,6 +41,35 @@ meshing::ViewScene stood(const TriMesh& mesh, const TriMesh* water) {
     return scene;
 }
 
+// An open sheet as the top of a block that reaches down to `base`: walls below its rims.
+TriMesh on_a_block(TriMesh mesh, float base) {
+    std::vector<std::uint64_t> edges;
+    const auto key = [](std::uint32_t a, std::uint32_t b) {
+        return static_cast<std::uint64_t>(a) << 32U | b;
+    };
+    for (const glm::uvec3& t : mesh.triangles)
+        for (int c = 0; c < 3; ++c)
+            edges.push_back(key(t[c], t[(c + 1) % 3]));
+    std::sort(edges.begin(), edges.end());
+    for (const std::uint64_t edge : edges) {
+        const auto a = static_cast<std::uint32_t>(edge >> 32U);
+        const auto b = static_cast<std::uint32_t>(edge);
+        if (std::binary_search(edges.begin(), edges.end(), key(b, a)))
+            continue;
+        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+        for (const std::uint32_t end : {a, b}) {
+            const glm::vec3 top = mesh.positions[end];
+            mesh.positions.push_back(top);
+            mesh.positions.emplace_back(top.x, base, top.z);
+            mesh.texcoords.resize(mesh.texcoords.empty() ? 0 : mesh.texcoords.size() + 2,
+                                  glm::vec2(0.0F, 0.5F));
+        }
+        mesh.triangles.emplace_back(first + 2, first, first + 1);
+        mesh.triangles.emplace_back(first + 2, first + 1, first + 3);
+    }
+    return mesh;
+}
+
 meshing::ViewOptions camera(const terrain::ErosionOutput& view) {
     return {.width = view.width, .azimuth = view.azimuth, .elevation = view.elevation};
 }
@@ -71,13 +100,19 @@ TriMesh drops(const terrain::FluidState& fluid) {
 
 }  // namespace
 
-Photo picture_of_ground(const TriMesh& mesh, const terrain::ErosionOutput& view) {
-    return meshing::draw_view(stood(mesh, nullptr), camera(view)).clay;
+Photo picture_of_ground(const TriMesh& mesh, float base, const terrain::ErosionOutput& view) {
+    TriMesh shown;
+    shown.positions = mesh.positions;
+    shown.triangles = mesh.triangles;
+    shown = on_a_block(std::move(shown), base);
+    return meshing::draw_view(stood(shown, nullptr), camera(view)).clay;
 }
 
-Photo picture_of_erosion(const TriMesh& mesh, const std::vector<glm::vec3>& before,
+Photo picture_of_erosion(const TriMesh& mesh, const std::vector<glm::vec3>& before, float base,
                          const terrain::FluidState& fluid, const terrain::ErosionOutput& view) {
-    TriMesh shown = mesh;
+    TriMesh shown;
+    shown.positions = mesh.positions;
+    shown.triangles = mesh.triangles;
     shown.texcoords.assign(mesh.positions.size(), glm::vec2(0.0F, 0.5F));
     if (before.size() == mesh.positions.size()) {
         float most = 0.0F;
@@ -86,6 +121,7 @@ Photo picture_of_erosion(const TriMesh& mesh, const std::vector<glm::vec3>& befo
         for (std::size_t i = 0; most > 0.0F && i < before.size(); ++i)
             shown.texcoords[i].x = 0.48F * glm::distance(before[i], mesh.positions[i]) / most;
     }
+    shown = on_a_block(std::move(shown), base);
     const TriMesh water = drops(fluid);
     const Photo ramp = colour_ramp();
     meshing::ViewScene scene = stood(shown, &water);
