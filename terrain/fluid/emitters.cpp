@@ -120,8 +120,10 @@ void emit_rain(const FluidRain& rain, std::size_t index, const Emission& e, NewP
 }
 
 void fill_pool(const FluidBox& box, std::size_t index, const Emission& e, NewParticles& made) {
-    const glm::dvec3 n = glm::max(
-        glm::floor((glm::dvec3(box.high) - glm::dvec3(box.low)) / e.spacing), glm::dvec3(1.0));
+    // The little more takes a box of exactly n spacings for one, however its floats are rounded.
+    const glm::dvec3 n =
+        glm::max(glm::floor((glm::dvec3(box.high) - glm::dvec3(box.low)) / e.spacing + 1e-4),
+                 glm::dvec3(1.0));
     limit(e, n.x * n.y * n.z, made);
     Rng rng({e.seed, kJitterStream, ~std::uint64_t{0}, index});
     const double shake = kJitter * e.spacing;

@@ -14,10 +14,11 @@
 namespace scree::terrain {
 namespace {
 
-constexpr double kFarthest = 0.8;       // way of a step, in spacings
-constexpr double kContact = 1.25;       // contact distance, in radii
-constexpr float kTooNear = 0.6F;        // of a spacing: no room for a new particle
-constexpr double kWidestOpening = 500;  // in spacings
+constexpr double kFarthest = 0.8;               // way of a step, in spacings
+constexpr double kContact = 1.25;               // contact distance, in radii
+constexpr float kTooNear = 0.6F;                // of a spacing: no room for a new particle
+constexpr std::size_t kMostAtOnce = 1'000'000;  // new particles, whatever becomes of them
+constexpr double kWidestOpening = 500;          // in spacings
 
 bool is_finite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -100,7 +101,7 @@ struct PositionFluid::Solver {
         const auto most = static_cast<std::size_t>(setup.options.max_particles);
         const auto seed = static_cast<std::uint64_t>(setup.options.seed);
         const NewParticles made =
-            emitted_between(setup.emitters, from, to, spacing(), seed, 4 * most);
+            emitted_between(setup.emitters, from, to, spacing(), seed, kMostAtOnce + 4 * most);
         if (made.positions.empty())
             return;
         const auto room = kTooNear * static_cast<float>(spacing());
