@@ -43,4 +43,10 @@ void mean_curvature(const TriMesh& mesh, const Adjacency& adjacency,
                     std::span<const glm::vec3> normals, CurvatureMethod method,
                     CurvatureScratch& scratch, std::span<float> curvature);
 
+/// Half the trace of every triangle's curvature tensor: what CurvatureMethod::Tensor averages over
+/// the triangles around a vertex. 0 where a triangle has no area.
+/// @pre  As many normals as vertices, as many results as triangles.
+void face_mean_curvatures(const TriMesh& mesh, std::span<const glm::vec3> normals,
+                          std::span<float> of_triangles);
+
 }  // namespace scree::meshing

@@ -12,12 +12,14 @@
 #include "meshing/curvature/estimators.h"
 #include "meshing/mesh/wedges.h"
 
-namespace scree::meshing::curvature {
+namespace scree::meshing {
 namespace {
 
+constexpr std::size_t kFaceGrain = 2048;
+
 // Half the trace of the face's tensor; 0 without an area.
-float face_mean_curvature(const Surface& surface, const glm::uvec3& t) {
-    const auto& p = surface.mesh.positions;
+float face_mean_curvature(const std::vector<glm::vec3>& p, std::span<const glm::vec3> normals,
+                          const glm::uvec3& t) {
     const glm::dvec3 origin(p[t.x]);
     const glm::dvec3 b = glm::dvec3(p[t.y]) - origin;
     const glm::dvec3 c = glm::dvec3(p[t.z]) - origin;
@@ -26,9 +28,9 @@ float face_mean_curvature(const Surface& surface, const glm::uvec3& t) {
     if (!(square > 1e-24 * glm::dot(b, b) * glm::dot(c, c)))
         return 0.0F;
     // n_0.(N x (c - b)) + n_1.(N x -c) + n_2.(N x b), sorted by edges
-    const glm::dvec3 n0(surface.normals[t.x]);
-    const glm::dvec3 over_b = glm::dvec3(surface.normals[t.z]) - n0;
-    const glm::dvec3 over_c = n0 - glm::dvec3(surface.normals[t.y]);
+    const glm::dvec3 n0(normals[t.x]);
+    const glm::dvec3 over_b = glm::dvec3(normals[t.z]) - n0;
+    const glm::dvec3 over_c = n0 - glm::dvec3(normals[t.y]);
     const double trace =
         (glm::dot(over_b, glm::cross(normal, b)) + glm::dot(over_c, glm::cross(normal, c))) /
         square;
@@ -37,13 +39,20 @@ float face_mean_curvature(const Surface& surface, const glm::uvec3& t) {
 
 }  // namespace
 
+void face_mean_curvatures(const TriMesh& mesh, std::span<const glm::vec3> normals,
+                          std::span<float> of_triangles) {
+    parallel_for_each_index(0, of_triangles.size(), kFaceGrain, [&](std::size_t t) {
+        of_triangles[t] = face_mean_curvature(mesh.positions, normals, mesh.triangles[t]);
+    });
+}
+
+namespace curvature {
+
 void estimate_by_tensor(const Surface& surface, std::vector<float>& of_triangles,
                         std::span<float> curvature) {
     const TriMesh& mesh = surface.mesh;
     of_triangles.resize(mesh.triangles.size());
-    parallel_for_each_index(0, of_triangles.size(), kGrain, [&](std::size_t t) {
-        of_triangles[t] = face_mean_curvature(surface, mesh.triangles[t]);
-    });
+    face_mean_curvatures(mesh, surface.normals, of_triangles);
     parallel_for_each_index(0, curvature.size(), kGrain, [&](std::size_t v) {
         double sum = 0.0;
         double area = 0.0;
@@ -60,4 +69,5 @@ void estimate_by_tensor(const Surface& surface, std::vector<float>& of_triangles
     });
 }
 
-}  // namespace scree::meshing::curvature
+}  // namespace curvature
+}  // namespace scree::meshing

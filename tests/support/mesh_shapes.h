@@ -2,10 +2,12 @@
 
 #include "meshing/mesh/tri_mesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <map>
 #include <numbers>
+#include <tuple>
 #include <utility>
 
 #include <glm/geometric.hpp>
