@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/stopwatch.h"
+#include "meshing/space/self_intersection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,7 +69,7 @@ private:
                 loop_.scheme == ErosionScheme::Wear ? wet.step_limit : sediment.step_limit;
             run_.report.volume_before = meshing::signed_volume(run_.mesh);
             if (looks())
-                run_.report.intersections_before = hooks_.count_crossings(run_.mesh);
+                run_.report.intersections_before = crossings();
         }
         run_.report.finished = true;
         fluid_.set_mesh(run_.mesh);
@@ -82,7 +83,13 @@ private:
             clean_ = run_;
     }
 
-    bool looks() const { return loop_.check_every > 0 && hooks_.count_crossings != nullptr; }
+    bool looks() const { return loop_.check_every > 0; }
+
+    std::size_t crossings() {
+        if (hooks_.count_crossings)
+            return hooks_.count_crossings(run_.mesh);
+        return finder_.find(run_.mesh, adjacency_).pairs.size();
+    }
 
     bool due(bool last) const {
         return looks() && (last || run_.report.steps % loop_.check_every == 0);
@@ -135,7 +142,12 @@ private:
         const std::size_t gone = hooks_.collapse_small_faces(run_.mesh);
         run_.report.n_collapsed += gone;
         if (gone > 0)
-            adjacency_ = meshing::build_adjacency(run_.mesh);
+            take_new_triangles();
+    }
+
+    void take_new_triangles() {
+        adjacency_ = meshing::build_adjacency(run_.mesh);
+        finder_ = {};
     }
 
     // Means over the steps so far.
@@ -158,10 +170,10 @@ private:
     // Keeps a sound state, or goes back to the last one; false ends the run there.
     bool look(bool last) {
         Stopwatch watch;
-        const std::size_t crossings = hooks_.count_crossings(run_.mesh);
+        const std::size_t n_crossings = crossings();
         run_.report.times.upkeep += watch.lap();
-        if (crossings <= run_.report.intersections_before) {
-            run_.report.intersections = crossings;
+        if (n_crossings <= run_.report.intersections_before) {
+            run_.report.intersections = n_crossings;
             run_.sound = true;
             if (!last)
                 clean_ = run_;
@@ -174,7 +186,7 @@ private:
         run_.report.times = times;
         fluid_.restore(run_.fluid);
         fluid_.set_mesh(run_.mesh);
-        adjacency_ = meshing::build_adjacency(run_.mesh);
+        take_new_triangles();
         run_.report.finished = restarts <= loop_.max_restarts;
         if (!run_.report.finished)
             return false;
@@ -189,8 +201,8 @@ private:
         ErosionReport& report = run_.report;
         report.step_limit = run_.step_limit;
         report.volume = meshing::signed_volume(run_.mesh);
-        if (!looks() && hooks_.count_crossings)
-            report.intersections = hooks_.count_crossings(run_.mesh);
+        if (!looks())
+            report.intersections = crossings();
     }
 
     ErosionRun& run_;
@@ -198,6 +210,7 @@ private:
     const ErosionLoopOptions& loop_;
     const ErosionHooks& hooks_;
     Adjacency adjacency_;
+    meshing::SelfIntersectionFinder finder_;
     WetErosionScratch scratch_;
     std::optional<ErosionRun> clean_;
     std::size_t n_affected_ = 0;

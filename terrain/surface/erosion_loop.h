@@ -100,7 +100,7 @@ struct ErosionRun {
 struct ErosionHooks {
     /// After every step; a step that is rolled back later is reported again.
     std::function<void(const ErosionRun& run)> after_step;
-    /// Pairs of triangles that cross. Without it nothing is looked for.
+    /// Pairs of triangles that cross; empty takes meshing's own search.
     std::function<std::size_t(const meshing::TriMesh& mesh)> count_crossings;
     /// Collapse small faces; returns how many edges went. Needed for `small_faces`.
     std::function<std::size_t(meshing::TriMesh& mesh)> collapse_small_faces;
