@@ -10,7 +10,6 @@
 #include "meshing/mesh/normals.h"
 #include "terrain/fluid/particle_ply.h"
 #include "terrain/surface/erosion_checkpoint.h"
-#include "terrain/surface/weathering_step.h"
 #include "vision/image_io.h"
 
 #include <algorithm>
@@ -204,12 +203,6 @@ ErosionOutcome run_erosion_job(const ErosionJob& job, Progress* progress) {
     recorder.went_on_from(run);
     terrain::ErosionHooks hooks;
     hooks.after_step = [&](const ErosionRun& now) { recorder.after_step(now); };
-    terrain::StepScratch scratch;
-    hooks.weather = [&](TriMesh& worn, const meshing::Adjacency& adjacency, double share) {
-        terrain::weathering_step(worn, adjacency,
-                                 {.step_limit = run.step_limit / share, .rim = scene.wear.rim},
-                                 scratch);
-    };
     hooks.progress = progress;
     terrain::run_erosion(run, *fluid, scene.run, scene.wear, scene.sediment, hooks);
     report_progress(progress, "writing files", 0.0);

@@ -2,7 +2,9 @@
 
 #include "base/error.h"
 #include "base/stopwatch.h"
+#include "meshing/mesh/small_faces.h"
 #include "meshing/space/self_intersection.h"
+#include "terrain/surface/weathering_step.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,19 +15,15 @@ namespace {
 
 using meshing::Adjacency;
 
+constexpr double kSmallFace = 0.1;   // shortest edge, in mean edges (`mesh-erosion.md` 5)
 constexpr double kDoseSlack = 1e-9;  // of a step: sums of 1/x are rounded
 
-void check_options(const ErosionLoopOptions& loop, const ErosionHooks& hooks) {
+void check_options(const ErosionLoopOptions& loop) {
     check(loop);
-    if (loop.small_faces && !hooks.collapse_small_faces)
-        fail<InvalidOption>("small-faces is on, but nothing that collapses them was given");
     if (loop.small_faces && loop.scheme == ErosionScheme::Sediment)
         fail<InvalidOption>(
             "small-faces is on under the scheme sediment, which is kept by vertex; take the scheme "
             "wear or leave small faces");
-    if (loop.weathering > 0.0 && !hooks.weather)
-        fail<InvalidOption>("weathering is ", loop.weathering,
-                            ", but nothing that weathers was given");
 }
 
 class Loop {
@@ -106,7 +104,7 @@ private:
         else
             settle(sediment);
         watch.lap();
-        keep_up();
+        keep_up(wet.rim);
         times.upkeep += watch.lap();
         fluid_.set_mesh(run_.mesh);
         run_.fluid = fluid_.state();
@@ -134,20 +132,18 @@ private:
         n_affected_ = did.n_moved;
     }
 
-    void keep_up() {
+    void keep_up(meshing::RimPolicy rim) {
         if (loop_.weathering > 0.0)
-            hooks_.weather(run_.mesh, adjacency_, loop_.weathering);
+            weathering_step(run_.mesh, adjacency_,
+                            {.step_limit = run_.step_limit / loop_.weathering, .rim = rim},
+                            weathering_scratch_);
         if (!loop_.small_faces)
             return;
-        const std::size_t gone = hooks_.collapse_small_faces(run_.mesh);
-        run_.report.n_collapsed += gone;
-        if (gone > 0)
-            take_new_triangles();
-    }
-
-    void take_new_triangles() {
-        adjacency_ = meshing::build_adjacency(run_.mesh);
-        finder_ = {};
+        const double shortest = kSmallFace * meshing::mean_edge_length(run_.mesh, adjacency_);
+        const auto did = meshing::remove_small_faces(run_.mesh, adjacency_, shortest);
+        run_.report.n_collapsed += did.n_collapsed;
+        if (did.changed)
+            finder_ = {};
     }
 
     // Means over the steps so far.
@@ -186,7 +182,8 @@ private:
         run_.report.times = times;
         fluid_.restore(run_.fluid);
         fluid_.set_mesh(run_.mesh);
-        take_new_triangles();
+        adjacency_ = meshing::build_adjacency(run_.mesh);
+        finder_ = {};
         run_.report.finished = restarts <= loop_.max_restarts;
         if (!run_.report.finished)
             return false;
@@ -212,6 +209,7 @@ private:
     Adjacency adjacency_;
     meshing::SelfIntersectionFinder finder_;
     WetErosionScratch scratch_;
+    StepScratch weathering_scratch_;
     std::optional<ErosionRun> clean_;
     std::size_t n_affected_ = 0;
 };
@@ -221,7 +219,7 @@ private:
 void run_erosion(ErosionRun& run, ParticleFluid& fluid, const ErosionLoopOptions& loop,
                  const WetErosionOptions& wet, const SedimentOptions& sediment,
                  const ErosionHooks& hooks) {
-    check_options(loop, hooks);
+    check_options(loop);
     Loop(run, fluid, loop, hooks).run(wet, sediment);
 }
 

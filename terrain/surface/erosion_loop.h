@@ -99,14 +99,9 @@ struct ErosionRun {
 /// What a run calls; everything may be empty.
 struct ErosionHooks {
     /// After every step; a step that is rolled back later is reported again.
-    std::function<void(const ErosionRun& run)> after_step;
+    std::function<void(const ErosionRun& run)> after_step = {};
     /// Pairs of triangles that cross; empty takes meshing's own search.
-    std::function<std::size_t(const meshing::TriMesh& mesh)> count_crossings;
-    /// Collapse small faces; returns how many edges went. Needed for `small_faces`.
-    std::function<std::size_t(meshing::TriMesh& mesh)> collapse_small_faces;
-    /// A step of weathering, scaled by a share of 0 to 1. Needed for `weathering`.
-    std::function<void(meshing::TriMesh& mesh, const meshing::Adjacency& adjacency, double share)>
-        weather;
+    std::function<std::size_t(const meshing::TriMesh& mesh)> count_crossings = {};
     Progress* progress = nullptr;
 };
 
@@ -118,8 +113,8 @@ struct ErosionHooks {
 /// state, with `finished` false.
 /// @param fluid  Takes the run's fluid state if that has particles or time, else gives it.
 /// @post  `run` holds the result; given to another call it goes on to the same end.
-/// @throw InvalidOption  a value is out of its range, asks for a hook that is empty, or wants small
-///                       faces collapsed under sediment, which is kept by vertex.
+/// @throw InvalidOption  a value is out of its range, or small faces shall be collapsed under
+///                       sediment, which is kept by vertex.
 /// @throw InvalidInput, Cancelled
 void run_erosion(ErosionRun& run, ParticleFluid& fluid, const ErosionLoopOptions& loop,
                  const WetErosionOptions& wet, const SedimentOptions& sediment,
