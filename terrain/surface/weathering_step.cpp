@@ -52,6 +52,8 @@ double look_around(const TriMesh& mesh, const Adjacency& adjacency, std::size_t 
                    StepScratch& scratch) {
     glm::dvec3 normal(0.0);
     double area = 0.0;
+    double unit =
+        0.0;  // one over the size of the first triangle: areas may be too small for floats
     float* const shares = scratch.corner_shares.data() + adjacency.first_corner[v];
     std::size_t n_corners = 0;
     meshing::for_each_wedge(mesh, adjacency, v, [&](const Wedge& wedge) {
@@ -59,8 +61,10 @@ double look_around(const TriMesh& mesh, const Adjacency& adjacency, std::size_t 
         const double square = glm::dot(across, across);
         const double lengths = wedge.aa * wedge.bb;
         double share = 0.0;
+        if (unit == 0.0 && lengths > 0.0)
+            unit = 1.0 / (wedge.aa + wedge.bb);
         if (square > 1e-24 * lengths)
-            share = meshing::corner_area(wedge, std::sqrt(square));
+            share = unit * meshing::corner_area(wedge, std::sqrt(square));
         if (lengths > 0.0)
             normal += across / lengths;
         shares[n_corners++] = static_cast<float>(share);
