@@ -4,6 +4,7 @@
 #include "base/number_text.h"
 #include "base/parallel.h"
 #include "base/whole_file.h"
+#include "vision/exr_writer.h"
 #include "vision/picture_header.h"
 #include "vision/png_encoder.h"
 
@@ -199,11 +200,6 @@ std::vector<std::uint8_t> encoded(const std::string& name, OIIO::ImageSpec spec,
     return bytes;
 }
 
-void write_pixels(const fs::path& path, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
-                  const void* pixels) {
-    write_staged_file(path, encoded(path.string(), spec, type, pixels));
-}
-
 template <class T>
 PngPicture png_of(const Raster<T>& picture, int n_channels, int bits) {
     return {static_cast<std::size_t>(picture.width()), static_cast<std::size_t>(picture.height()),
@@ -293,13 +289,9 @@ void write_labels(const fs::path& path, const LabelMap& labels) {
 }
 
 void write_heights_exr(const fs::path& path, const HeightImage& heights) {
-    OIIO::ImageSpec spec(heights.metres.width(), heights.metres.height(), 1, OIIO::TypeDesc::FLOAT);
-    spec.channelnames = {"Y"};
-    spec["compression"] = "none";  // relief leaves zip a twentieth to save, for ten times the time
-    spec.attribute(kScale, OIIO::TypeDesc::DOUBLE, &heights.metres_per_pixel);
-    spec["ImageDescription"] = "heights in metres";
-    spec["DateTime"] = "1970:01:01 00:00:00";  // else the present: same heights, other bytes
-    write_pixels(path, spec, OIIO::TypeDesc::FLOAT, heights.metres.data());
+    if (heights.metres.empty())
+        fail<IoError>("cannot write ", path.string(), ": a picture needs pixels");
+    write_exr(path, heights.metres, heights.metres_per_pixel);
 }
 
 void write_heights_png(const fs::path& path, const HeightImage& heights) {
