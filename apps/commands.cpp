@@ -27,10 +27,11 @@ std::span<const Command> commands() {
           "say what the ground is made of, place by place, from pictures, rules or strokes",
           "scree describe --labels out/labels.png --photo gravel.jpg --width-m 0.8 -o ground",
           "Writes materials.json, ids.png, description.png to look at and, where cells differ from "
-          "their materials, params.exr; on request map_rgba.png and map_ids.txt, "
-          "ground_albedo.png, "
-          "ground_normal.png and ground_height.exr, ground.frag.glsl and ground.tese.glsl. Says "
-          "what a form could not keep. docs/description-maps.md describes the files."},
+          "their materials, params.exr. On request: the published set of map_rgba.png, "
+          "map_ids.txt, "
+          "ground.frag.glsl and ground.tese.glsl; ground_albedo.png, ground_normal.png and "
+          "ground_height.exr; channel_*.png. Says what a form could not keep. "
+          "docs/description-maps.md describes the files."},
          run_describe},
         {{"deform", "press, roll and drag objects over ground that gives way",
           "scree deform testdata/scenes/sand.json -o out",

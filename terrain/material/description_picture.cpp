@@ -89,6 +89,29 @@ Photo description_picture(const DescriptionMap& map, int least_size) {
     return picture;
 }
 
+Raster<std::uint8_t> channel_picture(const DescriptionMap& map, MapChannel channel) {
+    check_map(map, "the map to show");
+    const std::array<int, 256> slots = slots_of_ids(map.materials);
+    const auto value = [&](std::size_t cell) {
+        const Soil& soil =
+            map.materials[static_cast<std::size_t>(slots[map.ids.data()[cell]])].soil;
+        const auto own = [cell](const FloatRaster& plane, double otherwise) {
+            return plane.empty() ? otherwise : double{plane.data()[cell]};
+        };
+        if (channel == MapChannel::Repose)
+            return own(map.repose, glm::radians(soil.repose_deg));
+        return channel == MapChannel::Mobility ? own(map.mobility, soil.mobility)
+                                               : own(map.diffusion, soil.diffusion);
+    };
+    double white = channel == MapChannel::Repose ? glm::radians(90.0) : 0.0;
+    for (std::size_t i = 0; i < map.ids.size(); ++i)
+        white = std::max(white, value(i));
+    Raster<std::uint8_t> picture(map.ids.width(), map.ids.height());
+    for (std::size_t i = 0; i < picture.size() && white > 0.0; ++i)
+        picture.data()[i] = static_cast<std::uint8_t>(std::lround(255.0 * value(i) / white));
+    return picture;
+}
+
 std::vector<double> material_shares(const DescriptionMap& map) {
     std::array<double, 256> counts{};
     for (const std::uint8_t id : map.ids)

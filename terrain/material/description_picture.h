@@ -16,6 +16,12 @@ std::vector<glm::u8vec3> legend_colours(const std::vector<Material>& materials);
 /// @throw InvalidInput  the map breaks check_map().
 Photo description_picture(const DescriptionMap& map, int least_size = 512);
 
+enum class MapChannel { Repose, Mobility, Diffusion };
+
+/// One parameter of every cell in grey, a pixel a cell: black is 0, white 90 degrees or the
+/// greatest value of the map. @throw InvalidInput  the map breaks check_map().
+Raster<std::uint8_t> channel_picture(const DescriptionMap& map, MapChannel channel);
+
 /// Share of the cells that every material has, in the table's order.
 std::vector<double> material_shares(const DescriptionMap& map);
 

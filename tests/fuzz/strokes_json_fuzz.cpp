@@ -15,6 +15,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     mud.name = "mud";
     try {
         StrokeScript script = strokes_from_json(text, "fuzz", {sand, mud});
+        const std::string once = strokes_to_json(script);
+        if (strokes_to_json(strokes_from_json(once, "again", {sand, mud})) != once)
+            std::abort();
         script.width = script.width == 0 ? 0 : 24;
         script.height = 16;
         if (script.width > 0)

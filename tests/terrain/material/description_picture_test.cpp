@@ -41,6 +41,20 @@ TEST(DescriptionPicture, TellsMaterialsOfOneColourApart) {
     EXPECT_NE(legend[2], legend[1]);
 }
 
+TEST(DescriptionPicture, ChannelsAreGrey) {
+    DescriptionMap map = test::random_map(2, 1, 1, false);
+    map.ids(0, 0) = 3;
+    map.ids(1, 0) = 7;
+    const auto repose = channel_picture(map, MapChannel::Repose);
+    EXPECT_EQ(repose(0, 0), 43);   // 15 of 90 degrees
+    EXPECT_EQ(repose(1, 0), 108);  // 38 of 90 degrees
+    const auto mobility = channel_picture(map, MapChannel::Mobility);
+    EXPECT_EQ(mobility(0, 0), 80);  // 0.25 of 0.8
+    EXPECT_EQ(mobility(1, 0), 255);
+    map.diffusion = FloatRaster(2, 1);
+    EXPECT_EQ(channel_picture(map, MapChannel::Diffusion), Raster<std::uint8_t>(2, 1));
+}
+
 TEST(DescriptionPicture, SharesAddUp) {
     DescriptionMap map = test::random_map(4, 1, 1, false);
     map.ids = Raster<std::uint8_t>(4, 1);
