@@ -38,6 +38,12 @@ std::span<const Command> commands() {
           "preview.gif "
           "and report.json: all of them, or none if it is stopped."},
          run_deform},
+        {{"erode", "let water wear a mesh: fluid, erosion, meshes and pictures of both",
+          "scree erode testdata/scenes/erode_canyon.json -o out",
+          "The scene is described in docs/hydraulic-erosion.md. Frames and checkpoints appear one "
+          "by "
+          "one, each whole, all else at the end."},
+         run_erode},
         {{"score", "compare label maps with hand-made ones", "scree score out/labels.png truth.png",
           "Several pairs give a line each and their mean. Label maps have one channel of 8 or 16 "
           "bits; 0 is background and every other value one rock."},
@@ -47,6 +53,12 @@ std::span<const Command> commands() {
           "Looks where other validators do not: at EXT_mesh_gpu_instancing, bounds, indices and "
           "the tree of nodes. The exit status is 1 if there is an error."},
          run_check},
+        {{"classify", "cut a photograph of ground into sand, mud, pebbles, rock and grass",
+          "scree classify ground.jpg -o out --width-m 3",
+          "Without --width-m the scale is taken from the photograph's metadata; where that has "
+          "none, a pixel counts as a millimetre. With --heights, ground steeper than a class can "
+          "lie speaks against it."},
+         run_classify},
     };
     return table;
 }

@@ -150,7 +150,10 @@ void write_preview(const Workshop& shop) {
 
 void write_glb(meshing::GltfScene scene, const fs::path& path,
                const meshing::GltfWriteOptions& options) {
-    write_staged_file(path, meshing::encode_glb(std::move(scene), options));
+    StagedFile file(path);
+    meshing::encode_glb(std::move(scene), options,
+                        [&](std::span<const std::uint8_t> bytes) { file.write(bytes); });
+    file.close();
 }
 
 void write_rocks(const Workshop& shop) {

@@ -98,11 +98,6 @@ void encode_indices(const TriMesh& mesh, EncodedMesh& out) {
 
 }  // namespace
 
-void EncodedMesh::release() {
-    for (std::vector<std::uint8_t>* bytes : {&positions, &normals, &texcoords, &indices})
-        *bytes = {};
-}
-
 EncodedMesh encode_mesh(TriMesh mesh, const EncodingOptions& options) {
     if (options.reorder)
         optimise_for_gpu(mesh);

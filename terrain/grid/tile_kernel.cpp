@@ -12,6 +12,8 @@
 namespace scree::terrain {
 namespace {
 
+constexpr int kRowsAhead = 4;
+
 struct Arguments {
     const Patch& patch;
     const SoundRule& rule;
@@ -194,7 +196,9 @@ template <bool kWeighted, bool kPlanes, bool kLoad>
         first = std::min(first, level.begin + i);
         end = std::max(end, level.end + i);
     }
-    for (int front = first; front < end; ++front)
+    for (int front = first; front < end; ++front) {
+        if (front + kRowsAhead < levels.front().end)
+            fetch_row(a.patch.base.row(front + kRowsAhead), kPatchWidth);
         for (int i = 0; i < steps.iterations; ++i) {
             LevelOf<kLoad>& level = levels[static_cast<std::size_t>(i)];
             const int y = front - i;
@@ -204,6 +208,7 @@ template <bool kWeighted, bool kPlanes, bool kLoad>
                 begin_level<kWeighted, kPlanes, kLoad>(a, level);
             step_level_row<kWeighted, kPlanes, kLoad>(a, level, y, flux_x);
         }
+    }
 }
 
 SCREE_MULTIVERSION void excess_uniform(const Arguments& a) {

@@ -1,5 +1,7 @@
 #include "base/whole_file.h"
 #include "meshing/gltf/gltf_write.h"
+#include "terrain/material/id_text.h"
+#include "terrain/material/materials_json.h"
 #include "tests/support/tiny_network.h"
 #include "vision/data/rockdata_text.h"
 #include "vision/data/rocks_json.h"
@@ -99,6 +101,41 @@ void glb_seeds(const fs::path& folder) {
     write_staged_file(folder / "packed.glb", meshing::encode_glb(scene, {.quantise = true}));
 }
 
+// A table, rules and strokes over it, and its id file; with all members and with few.
+void ground_seeds(const fs::path& folder) {
+    for (const char* name : {"id_text", "materials_json", "strokes_json"})
+        fs::create_directories(folder / name);
+    std::vector<terrain::Material> materials(2);
+    materials[0].name = "sand";
+    materials[1].id = 7;
+    materials[1].name = "wet mud";
+    const auto write_tables = [&](const std::string& name) {
+        const terrain::MaterialTable table{0.25, "dir/ids.png", "dir/params.exr", materials};
+        write_whole_file(folder / "materials_json" / name,
+                         std::string_view(terrain::materials_to_json(table, "dir")));
+        write_whole_file(folder / "id_text" / name, std::string_view(terrain::ids_to_text(
+                                                        {1.0, 2.0, 0.25, materials}, "dir")));
+    };
+    write_tables("plain");
+    materials[1].textures = {"dir/a b.png", "dir/d.exr", "n.png", 0.5, 0.02};
+    materials[1].gravel = true;
+    materials[1].hat = {0.0, 0.5, 1.0};
+    materials[1].colour = glm::u8vec3(1, 2, 3);
+    write_tables("full");
+    write_whole_file(folder / "materials_json" / "rules",
+                     std::string_view(R"({"format": "scree-rules", "version": 1, "water_level": 0.2,
+        "rules": [{"material": "sand", "water_distance": {"max": 1, "soft": 0.1},
+        "slope_deg": {"min": 3}, "height": {"min": 0}, "curvature": {"max": 2}}],
+        "otherwise": 0})"));
+    write_whole_file(folder / "strokes_json" / "all",
+                     std::string_view(R"({"format": "scree-strokes", "version": 1, "size": [24, 16],
+        "cell_size": 0.25, "ground": "sand", "strokes": [
+        {"op": "brush", "at": [1, 1], "radius": 1, "hardness": 0.5, "material": "mud"},
+        {"op": "brush", "points": [[1, 1], [5, 3]], "radius": 0.5, "material": 7},
+        {"op": "polygon", "points": [[1, 1], [4, 1], [3, 3]], "fade": 0.5, "material": 0},
+        {"op": "undo", "count": 1}, {"op": "redo"}, {"op": "fill", "at": [5, 3], "material": 7}]})"));
+}
+
 }  // namespace
 
 int main(int n_words, char** words) {
@@ -109,6 +146,7 @@ int main(int n_words, char** words) {
     label_seeds(folder / "labels");
     model_seeds(folder / "model");
     glb_seeds(folder / "glb");
+    ground_seeds(folder);
     fs::create_directories(folder / "rocks_json");
     fs::create_directories(folder / "rocks_text");
     for (const std::size_t n : {std::size_t{0}, std::size_t{1}, std::size_t{3}}) {
