@@ -136,6 +136,29 @@ void ground_seeds(const fs::path& folder) {
         {"op": "undo", "count": 1}, {"op": "redo"}, {"op": "fill", "at": [5, 3], "material": 7}]})"));
 }
 
+// A scene with every kind of member, and the least one.
+void scene_seeds(const fs::path& folder) {
+    fs::create_directories(folder);
+    write_whole_file(folder / "least", std::string_view(R"({"format": "scree-scene", "version": 1,
+        "ground": {"width": 9, "height": 9, "cell_size_m": 0.1}})"));
+    write_whole_file(folder / "full", std::string_view(R"({"format": "scree-scene", "version": 1,
+        "ground": {"heights": "h.exr", "height_scale": 2, "cell_size_m": 0.5, "shapes": [
+            {"kind": "dune", "centre_m": [1, 2], "height_m": 3, "slope_deg": 50}]},
+        "materials": [{"id": 4, "name": "clay", "mobility": 0.3}],
+        "regions": [{"material": "clay", "disc_m": [1, 2, 3], "ragged_m": 0.1},
+                    {"material": "clay", "polygon_m": [[0, 0], [1, 0], [0, 1]]}],
+        "bearing_kpa_per_m": {"clay": 900},
+        "objects": [{"mass_kg": 12, "force_n": [1, 2, 3], "drag_n": 5, "colour": [0, 1, 0.5],
+            "shape": {"kind": "tyre", "lugs": 30},
+            "motion": {"ride": "weight", "rolling": {"radius_m": 0.4}, "keys": [
+                {"time_s": 0, "position_m": [0, 1, 0], "rotation_deg": [0, 90, 0]},
+                {"time_s": 2, "position_m": [4, 1, 0], "quaternion": [0, 0, 0, 1],
+                 "scale": 2}]}}],
+        "deformer": {"slide": "weight", "time_step": 0.5}, "contact": {"outward": "radial"},
+        "frames": 7, "camera": {"eye_m": [0, 1, 2], "target_m": [1, 0, 0]},
+        "outputs": {"every": 2}})"));
+}
+
 }  // namespace
 
 int main(int n_words, char** words) {
@@ -147,6 +170,7 @@ int main(int n_words, char** words) {
     model_seeds(folder / "model");
     glb_seeds(folder / "glb");
     ground_seeds(folder);
+    scene_seeds(folder / "scene");
     fs::create_directories(folder / "rocks_json");
     fs::create_directories(folder / "rocks_text");
     for (const std::size_t n : {std::size_t{0}, std::size_t{1}, std::size_t{3}}) {
