@@ -209,6 +209,24 @@ float grain_sun(vec2 uv, float layer, Look look, float height) {
     return lit;
 }
 
+// A look-up under an oblong footprint: two or four rounder ones along its length, so that ground seen
+// at a slant keeps its detail.
+vec4 sampled(sampler2DArray pictures, vec3 at, vec2 dx, vec2 dy) {
+    float x2 = dot(dx, dx);
+    float y2 = dot(dy, dy);
+    vec2 longer = x2 > y2 ? dx : dy;
+    vec2 shorter = x2 > y2 ? dy : dx;
+    float oblong = max(x2, y2) / max(min(x2, y2), 1e-30);
+    int n = oblong < 3.0 ? 1 : oblong < 12.0 ? 2 : 4;
+    vec2 piece = longer / float(n);
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < n; ++i) {
+        vec2 off = piece * (float(i) - 0.5 * float(n - 1));
+        sum += textureGrad(pictures, at + vec3(off, 0.0), piece, shorter);
+    }
+    return sum / float(n);
+}
+
 Soil soil_at(vec2 at, vec2 dx, vec2 dy) {
     Blend blend = corner_blend(at);
     Soil soil = Soil(vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0);
@@ -219,14 +237,14 @@ Soil soil_at(vec2 at, vec2 dx, vec2 dy) {
         Look look = looks[blend.layer[i]];
         float layer = float(blend.layer[i]);
         vec2 uv = at * look.measure.x;
-        vec4 d = textureGrad(detail, vec3(uv, layer), dx * look.measure.x, dy * look.measure.x);
+        vec4 d = sampled(detail, vec3(uv, layer), dx * look.measure.x, dy * look.measure.x);
         float w = blend.weight[i];
         if (w < 1.0)  // what stands higher covers what lies lower
             w *= exp2(7.0 * (d.b - 0.5) * step(1e-9, look.measure.y));
         total += w;
         vec3 colour = look.colour.rgb;
         if (look.measure.w > 0.5)
-            colour = textureGrad(albedo, vec3(uv, layer), dx * look.measure.x, dy * look.measure.x).rgb;
+            colour = sampled(albedo, vec3(uv, layer), dx * look.measure.x, dy * look.measure.x).rgb;
         soil.albedo += w * colour;
         soil.slopes += w * (d.rg * 2.0 - 256.0 / 255.0) * look.measure.z;
         soil.open += w * d.a;
