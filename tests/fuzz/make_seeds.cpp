@@ -159,6 +159,25 @@ void scene_seeds(const fs::path& folder) {
         "outputs": {"every": 2}})"));
 }
 
+void erosion_seeds(const fs::path& folder) {
+    fs::create_directories(folder);
+    const std::string head =
+        R"({"format":"scree-erosion","version":1,"mesh":{"ground":{"shape":"bend","edge":0.2}},)";
+    write_whole_file(
+        folder / "water",
+        std::string_view(head + R"("fluid":{"kind":"particles","radius":0.1,"gravity":[0,-9,0],
+"domain":{"low":[-1,-1,-1],"high":[1,2,1]},"rains":[{"centre":[0,1,0],"width":1,"depth":1,"rate":9}],
+"sources":[{"centre":[0,1,0],"velocity":[1,0,0],"radius":0.2,"start":1,"end":2}],
+"pools":[{"low":[0,0,0],"high":[1,1,1]}],"sinks":[{"low":[0,0,0],"high":[1,1,1]}]},
+"run":{"steps":3,"scheme":"sediment"},"wear":{"rim":"free"},"sediment":{"shear":"full"},
+"output":{"width":64}})"));
+    write_whole_file(folder / "stream",
+                     std::string_view(head + R"("fluid":{"kind":"scripted","seed":2,"streams":[
+{"above_bed":0.1,"speed":1},{"path":[[0,0,0],[1,0,0]],"half_width":0.1,"per_metre":5}]}})"));
+    write_whole_file(folder / "file", std::string_view(R"({"format":"scree-erosion","version":1,
+"mesh":{"file":"a.glb"},"fluid":{"kind":"particles"}})"));
+}
+
 }  // namespace
 
 int main(int n_words, char** words) {
@@ -171,6 +190,7 @@ int main(int n_words, char** words) {
     glb_seeds(folder / "glb");
     ground_seeds(folder);
     scene_seeds(folder / "scene");
+    erosion_seeds(folder / "erosion_scene");
     fs::create_directories(folder / "rocks_json");
     fs::create_directories(folder / "rocks_text");
     for (const std::size_t n : {std::size_t{0}, std::size_t{1}, std::size_t{3}}) {
