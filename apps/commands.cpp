@@ -45,6 +45,12 @@ std::span<const Command> commands() {
           "by "
           "one, each whole, all else at the end."},
          run_erode},
+        {{"render", "draw a ground: textured, as wires, by height or by material",
+          "scree render heights.exr -o ground.png --map ground --view textured",
+          "Needs OpenGL 4.5 but no display and no graphics card: Mesa draws on the processor where "
+          "there is none (packages libegl1, libegl-mesa0, libgl1-mesa-dri). docs/terrain-view.md "
+          "says how it draws."},
+         run_render},
         {{"score", "compare label maps with hand-made ones", "scree score out/labels.png truth.png",
           "Several pairs give a line each and their mean. Label maps have one channel of 8 or 16 "
           "bits; 0 is background and every other value one rock."},

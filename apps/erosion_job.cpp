@@ -8,6 +8,7 @@
 #include "meshing/gltf/gltf_write.h"
 #include "meshing/mesh/bounds.h"
 #include "meshing/mesh/normals.h"
+#include "meshing/mesh/weld.h"
 #include "terrain/fluid/particle_ply.h"
 #include "terrain/surface/erosion_checkpoint.h"
 #include "vision/image_io.h"
@@ -17,6 +18,7 @@
 #include <cstdio>
 #include <system_error>
 
+#include <glm/vec4.hpp>
 #include <nlohmann/json.hpp>
 
 namespace scree::apps {
@@ -32,15 +34,23 @@ constexpr std::size_t kLargestCheckpoint = std::size_t{1} << 32;
 constexpr std::size_t kMorphShapes = 4;
 constexpr const char* kCheckpoint = "checkpoint.bin";
 
+// One mesh in metres, one vertex a place: seams would tear.
 TriMesh load_mesh(const ErosionScene& scene, const fs::path& scene_file) {
     if (scene.mesh_file.empty())
         return terrain::make_ground(scene.ground);
     const fs::path path = scene_file.parent_path() / scene.mesh_file;
     meshing::LoadedGltf loaded = meshing::read_glb(path);
-    if (loaded.meshes.size() != 1)
-        fail<InvalidInput>(path.string(), " holds ", loaded.meshes.size(),
-                           " meshes; a scene takes one");
-    return std::move(loaded.meshes.front().geometry);
+    if (loaded.meshes.size() != 1 || loaded.placements.size() > 1)
+        fail<InvalidInput>(path.string(), " holds ", loaded.meshes.size(), " meshes at ",
+                           loaded.placements.size(), " places; a scene takes one at one place");
+    TriMesh& mesh = loaded.meshes.front().geometry;
+    if (!loaded.placements.empty())
+        for (glm::vec3& p : mesh.positions)
+            p = glm::vec3(loaded.placements.front().world_from_mesh * glm::dvec4(glm::dvec3(p), 1));
+    TriMesh welded = meshing::weld(mesh);
+    if (welded.triangles.empty())
+        fail<InvalidInput>(path.string(), " holds no triangle; a scene takes a mesh of some");
+    return welded;
 }
 
 std::vector<std::uint8_t> glb_of(const TriMesh& mesh, const meshing::Adjacency& adjacency,

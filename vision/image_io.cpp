@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "base/whole_file.h"
 #include "vision/exif_orientation.h"
+#include "vision/exr_writer.h"
 #include "vision/picture_header.h"
 #include "vision/png_encoder.h"
 
@@ -157,11 +158,6 @@ std::vector<std::uint8_t> encoded(const std::string& name, OIIO::ImageSpec spec,
     return bytes;
 }
 
-void write_pixels(const fs::path& path, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
-                  const void* pixels) {
-    write_staged_file(path, encoded(path.string(), spec, type, pixels));
-}
-
 template <class T>
 PngPicture png_of(const Raster<T>& picture, int n_channels, int bits) {
     return {static_cast<std::size_t>(picture.width()), static_cast<std::size_t>(picture.height()),
@@ -300,13 +296,9 @@ void write_labels(const fs::path& path, const LabelMap& labels) {
 }
 
 void write_heights_exr(const fs::path& path, const HeightImage& heights) {
-    OIIO::ImageSpec spec(heights.metres.width(), heights.metres.height(), 1, OIIO::TypeDesc::FLOAT);
-    spec.channelnames = {"Y"};
-    spec["compression"] = "none";  // relief leaves zip a twentieth to save, for ten times the time
-    spec.attribute(kScale, OIIO::TypeDesc::DOUBLE, &heights.metres_per_pixel);
-    spec["ImageDescription"] = "heights in metres";
-    spec["DateTime"] = "1970:01:01 00:00:00";  // else the present: same heights, other bytes
-    write_pixels(path, spec, OIIO::TypeDesc::FLOAT, heights.metres.data());
+    if (heights.metres.empty())
+        fail<IoError>("cannot write ", path.string(), ": a picture needs pixels");
+    write_exr(path, heights.metres, heights.metres_per_pixel);
 }
 
 void write_heights_png(const fs::path& path, const HeightImage& heights) {
@@ -328,21 +320,14 @@ void write_heights_png(const fs::path& path, const HeightImage& heights) {
 
 void write_rgba_png(const fs::path& path, const RgbaImage& picture) {
     const Raster<glm::u16vec4>& values = picture.values;
-    const bool wide = picture.bits == 16;
-    OIIO::ImageSpec spec = png_spec(values.width(), values.height(), 4,
-                                    wide ? OIIO::TypeDesc::UINT16 : OIIO::TypeDesc::UINT8);
-    spec.alpha_channel = 3;
-    spec["oiio:UnassociatedAlpha"] = 1;  // else the writer divides the other channels by alpha
-    if (wide) {
-        write_pixels(path, spec, OIIO::TypeDesc::UINT16, values.data());
+    if (picture.bits == 16) {
+        write_encoded(path, png_of(values, 4, 16));
         return;
     }
-    std::vector<std::uint8_t> bytes;
-    bytes.reserve(4 * values.size());
-    for (const glm::u16vec4& value : values)
-        for (int c = 0; c < 4; ++c)
-            bytes.push_back(static_cast<std::uint8_t>(std::min<int>(value[c], 255)));
-    write_pixels(path, spec, OIIO::TypeDesc::UINT8, bytes.data());
+    Raster<glm::u8vec4> bytes(values.width(), values.height());
+    for (std::size_t i = 0; i < values.size(); ++i)
+        bytes.data()[i] = glm::u8vec4(glm::min(values.data()[i], glm::u16vec4(255)));
+    write_encoded(path, png_of(bytes, 4, 8));
 }
 
 void write_planes_exr(const fs::path& path, std::span<const NamedPlane> planes) {

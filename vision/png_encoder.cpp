@@ -59,7 +59,7 @@ void append_head(Bytes& file, const PngPicture& picture) {
     Bytes header;
     append_word(header, picture.width);
     append_word(header, picture.height);
-    const int colour_type = picture.n_channels == 3 ? 2 : 0;
+    const int colour_type = picture.n_channels == 4 ? 6 : picture.n_channels == 3 ? 2 : 0;
     for (const int byte : {picture.bits, colour_type, 0, 0, 0})
         header.push_back(static_cast<std::uint8_t>(byte));
     append_chunk(file, "IHDR", header);

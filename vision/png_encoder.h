@@ -21,7 +21,7 @@ enum class PngFilter : std::uint8_t {
 struct PngPicture {
     std::size_t width = 0;
     std::size_t height = 0;
-    int n_channels = 1;  ///< 1 grey, 3 red, green and blue.
+    int n_channels = 1;  ///< 1 grey, 3 red, green and blue, 4 with alpha, not premultiplied.
     int bits = 8;        ///< Of a sample: 8 or 16.
     const void* samples = nullptr;
     PngFilter filter = PngFilter::Average;

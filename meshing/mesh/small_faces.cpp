@@ -335,7 +335,7 @@ void write_back(TriMesh& mesh, const HalfEdgePatch& patch, SmallFaceReport& repo
 
 // Whether anything changed.
 bool run_pass(TriMesh& mesh, Adjacency& adjacency, const Seeds& seeds, double shortest,
-              SmallFaceReport& report) {
+              const std::function<void()>& before_change, SmallFaceReport& report) {
     HalfEdgePatch patch(mesh, adjacency, core_of(mesh, adjacency, seeds));
     if (!patch.whole)
         return false;
@@ -347,6 +347,8 @@ bool run_pass(TriMesh& mesh, Adjacency& adjacency, const Seeds& seeds, double sh
     if (done.n_collapsed + done.n_flipped + done.n_vanished == 0)
         return false;
     if (!report.changed) {
+        if (before_change)
+            before_change();
         report.kept_triangles.resize(mesh.triangles.size());
         report.kept_vertices.resize(mesh.positions.size());
         std::iota(report.kept_triangles.begin(), report.kept_triangles.end(), 0U);
@@ -364,7 +366,8 @@ bool run_pass(TriMesh& mesh, Adjacency& adjacency, const Seeds& seeds, double sh
 
 }  // namespace
 
-SmallFaceReport remove_small_faces(TriMesh& mesh, Adjacency& adjacency, double shortest) {
+SmallFaceReport remove_small_faces(TriMesh& mesh, Adjacency& adjacency, double shortest,
+                                   const std::function<void()>& before_change) {
     if (adjacency.n_vertices() != mesh.positions.size())
         fail<InvalidInput>("the mesh has ", mesh.positions.size(), " vertices, its adjacency ",
                            adjacency.n_vertices());
@@ -372,7 +375,7 @@ SmallFaceReport remove_small_faces(TriMesh& mesh, Adjacency& adjacency, double s
     for (int pass = 0; pass < kMostPasses; ++pass) {
         const Seeds seeds = find_seeds(mesh, adjacency, shortest);
         report.n_blocked = seeds.edges.size();
-        if (seeds.empty() || !run_pass(mesh, adjacency, seeds, shortest, report))
+        if (seeds.empty() || !run_pass(mesh, adjacency, seeds, shortest, before_change, report))
             break;
     }
     return report;

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace scree::meshing {
@@ -28,7 +29,9 @@ struct SmallFaceReport {
 /// short edges are looked at, as half-edges (OpenMesh); what remains keeps its order.
 /// The adjacency is brought up to date; a vertex that stays keeps its texture coordinates; normals
 /// are cleared if anything changed.
+/// @param before_change  Called once before the first change, if there is one.
 /// @throw InvalidInput  the adjacency is another mesh's.
-SmallFaceReport remove_small_faces(TriMesh& mesh, Adjacency& adjacency, double shortest);
+SmallFaceReport remove_small_faces(TriMesh& mesh, Adjacency& adjacency, double shortest,
+                                   const std::function<void()>& before_change = {});
 
 }  // namespace scree::meshing

@@ -10,6 +10,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <limits>
 #include <numeric>
@@ -111,6 +112,57 @@ void test_star(const TriMesh& mesh, const Adjacency& adjacency, std::size_t v, s
         }
 }
 
+// Coordinates as 16-bit steps over the mesh's box.
+class Grid {
+public:
+    static constexpr std::int16_t kBeyond = 16383;  // further out than any step
+
+    explicit Grid(const TriMesh& mesh) {
+        glm::vec3 low(std::numeric_limits<float>::max());
+        glm::vec3 high = -low;
+        for (const glm::vec3& p : mesh.positions) {
+            low = glm::min(low, p);
+            high = glm::max(high, p);
+        }
+        const glm::dvec3 size = glm::dvec3(high) - glm::dvec3(low);
+        const double reach = std::max({size.x, size.y, size.z});
+        origin_ = glm::dvec3(low);
+        scale_ = reach > 0.0 ? 2.0 * kReach / reach : 0.0;
+    }
+
+    std::int16_t below(const glm::vec3& p, int axis) const {
+        return static_cast<std::int16_t>(std::floor(at(p, axis) - kSlack));
+    }
+    std::int16_t above(const glm::vec3& p, int axis) const {
+        return static_cast<std::int16_t>(std::ceil(at(p, axis) + kSlack));
+    }
+
+private:
+    static constexpr double kReach = 16000.0;  // differences fit 16 bits
+    static constexpr double kSlack = 1e-6;     // far above rounding
+
+    double at(const glm::vec3& p, int axis) const {
+        return (static_cast<double>(p[axis]) - origin_[axis]) * scale_ - kReach;
+    }
+
+    glm::dvec3 origin_{0.0};
+    double scale_ = 0.0;
+};
+
+// Eight numbers in one register, as gcc and clang have them on every processor.
+using Steps = std::int16_t __attribute__((vector_size(16)));
+using Names = std::uint32_t __attribute__((vector_size(32)));
+using Bytes = std::int8_t __attribute__((vector_size(8)));
+
+// Bit k is set where lane k of a comparison holds.
+template <class Lanes>
+inline unsigned bits_of(const Lanes& holds) {
+    const Bytes bytes = __builtin_convertvector(holds, Bytes);
+    std::uint64_t word = 0;
+    std::memcpy(&word, &bytes, sizeof word);
+    return static_cast<unsigned>(((word & 0x8040201008040201ULL) * 0x0101010101010101ULL) >> 56);
+}
+
 // A triangle's plane in double, to rule pairs out quickly.
 class Plane {
 public:
@@ -190,48 +242,63 @@ void SelfIntersectionFinder::order_triangles(const TriMesh& mesh) {
     split(0, n);
 }
 
+// Where each leaf stands among the nodes.
+void SelfIntersectionFinder::place_leaves(std::size_t node, std::size_t first, std::size_t last) {
+    if (last - first == 1) {
+        node_of_leaf_[first] = static_cast<std::uint32_t>(node);
+        return;
+    }
+    const std::size_t middle = first + (last - first) / 2;
+    place_leaves(node + 1, first, middle);
+    place_leaves(node + 2 * (middle - first), middle, last);
+}
+
 void SelfIntersectionFinder::measure_leaves(const TriMesh& mesh) {
     const std::size_t n = order_.size();
-    leaves_.resize((n + kLeafSize - 1) / kLeafSize);
-    parallel_for_each_index(0, leaves_.size(), 256, [&](std::size_t leaf) {
-        Leaf& boxes = leaves_[leaf];
+    const std::size_t n_leaves = (n + kLeafSize - 1) / kLeafSize;
+    if (leaves_.size() != n_leaves || node_of_leaf_.size() != n_leaves) {
+        leaves_.resize(n_leaves);
+        node_of_leaf_.resize(n_leaves);
+        nodes_.resize(2 * n_leaves - 1);
+        place_leaves(0, 0, n_leaves);
+    }
+    const Grid grid(mesh);
+    parallel_for_each_index(0, n_leaves, 256, [&](std::size_t leaf) {
+        Leaf& out = leaves_[leaf];
+        Box whole{glm::vec3(std::numeric_limits<float>::max()),
+                  glm::vec3(std::numeric_limits<float>::lowest())};
         for (std::size_t k = 0; k < kLeafSize; ++k) {
-            glm::vec3 low(std::numeric_limits<float>::infinity());  // an empty place meets nothing
-            glm::vec3 high = -low;
-            glm::uvec3 t(0);
-            if (leaf * kLeafSize + k < n) {
-                t = mesh.triangles[order_[leaf * kLeafSize + k]];
-                const glm::vec3& a = mesh.positions[t.x];
-                const glm::vec3& b = mesh.positions[t.y];
-                const glm::vec3& c = mesh.positions[t.z];
-                low = glm::min(a, glm::min(b, c));
-                high = glm::max(a, glm::max(b, c));
+            if (leaf * kLeafSize + k >= n) {  // an empty place meets nothing
+                out.low_x[k] = out.low_y[k] = out.low_z[k] = Grid::kBeyond;
+                out.high_x[k] = out.high_y[k] = out.high_z[k] = -Grid::kBeyond;
+                out.a[k] = out.b[k] = out.c[k] = kNoFace;
+                continue;
             }
-            boxes.low_x[k] = low.x;
-            boxes.low_y[k] = low.y;
-            boxes.low_z[k] = low.z;
-            boxes.high_x[k] = high.x;
-            boxes.high_y[k] = high.y;
-            boxes.high_z[k] = high.z;
-            boxes.a[k] = t.x;
-            boxes.b[k] = t.y;
-            boxes.c[k] = t.z;
+            const glm::uvec3& t = mesh.triangles[order_[leaf * kLeafSize + k]];
+            const glm::vec3& a = mesh.positions[t.x];
+            const glm::vec3& b = mesh.positions[t.y];
+            const glm::vec3& c = mesh.positions[t.z];
+            const glm::vec3 low = glm::min(a, glm::min(b, c));
+            const glm::vec3 high = glm::max(a, glm::max(b, c));
+            whole = {glm::min(whole.low, low), glm::max(whole.high, high)};
+            out.low_x[k] = grid.below(low, 0);
+            out.low_y[k] = grid.below(low, 1);
+            out.low_z[k] = grid.below(low, 2);
+            out.high_x[k] = grid.above(high, 0);
+            out.high_y[k] = grid.above(high, 1);
+            out.high_z[k] = grid.above(high, 2);
+            out.a[k] = t.x;
+            out.b[k] = t.y;
+            out.c[k] = t.z;
         }
+        nodes_[node_of_leaf_[leaf]] = whole;
     });
+    join_boxes(0, 0, n_leaves);
 }
 
 void SelfIntersectionFinder::join_boxes(std::size_t node, std::size_t first, std::size_t last) {
-    if (last - first == 1) {
-        const Leaf& boxes = leaves_[first];
-        Box& box = nodes_[node];
-        box.low = {boxes.low_x[0], boxes.low_y[0], boxes.low_z[0]};
-        box.high = {boxes.high_x[0], boxes.high_y[0], boxes.high_z[0]};
-        for (std::size_t k = 1; k < kLeafSize; ++k) {
-            box.low = glm::min(box.low, {boxes.low_x[k], boxes.low_y[k], boxes.low_z[k]});
-            box.high = glm::max(box.high, {boxes.high_x[k], boxes.high_y[k], boxes.high_z[k]});
-        }
+    if (last - first == 1)
         return;
-    }
     const std::size_t middle = first + (last - first) / 2;
     const std::size_t left = node + 1;
     const std::size_t right = node + 2 * (middle - first);
@@ -249,29 +316,27 @@ void SelfIntersectionFinder::join_boxes(std::size_t node, std::size_t first, std
 // Bit k: triangle k of the other leaf shares no vertex with this one and its box overlaps.
 inline unsigned SelfIntersectionFinder::candidates(const Leaf& leaf, std::size_t i,
                                                    const Leaf& other) {
-    std::array<std::uint32_t, kLeafSize> hits{};
-    for (std::size_t k = 0; k < kLeafSize; ++k) {
-        const std::uint32_t overlap = static_cast<std::uint32_t>(leaf.low_x[i] <= other.high_x[k]) &
-                                      static_cast<std::uint32_t>(other.low_x[k] <= leaf.high_x[i]) &
-                                      static_cast<std::uint32_t>(leaf.low_y[i] <= other.high_y[k]) &
-                                      static_cast<std::uint32_t>(other.low_y[k] <= leaf.high_y[i]) &
-                                      static_cast<std::uint32_t>(leaf.low_z[i] <= other.high_z[k]) &
-                                      static_cast<std::uint32_t>(other.low_z[k] <= leaf.high_z[i]);
-        const std::uint32_t shared = static_cast<std::uint32_t>(leaf.a[i] == other.a[k]) |
-                                     static_cast<std::uint32_t>(leaf.a[i] == other.b[k]) |
-                                     static_cast<std::uint32_t>(leaf.a[i] == other.c[k]) |
-                                     static_cast<std::uint32_t>(leaf.b[i] == other.a[k]) |
-                                     static_cast<std::uint32_t>(leaf.b[i] == other.b[k]) |
-                                     static_cast<std::uint32_t>(leaf.b[i] == other.c[k]) |
-                                     static_cast<std::uint32_t>(leaf.c[i] == other.a[k]) |
-                                     static_cast<std::uint32_t>(leaf.c[i] == other.b[k]) |
-                                     static_cast<std::uint32_t>(leaf.c[i] == other.c[k]);
-        hits[k] = (overlap & ~shared & 1U) << k;
-    }
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < kLeafSize; ++k)
-        bits |= hits[k];
-    return bits;
+    Steps low_x, low_y, low_z, high_x, high_y, high_z;
+    std::memcpy(&low_x, other.low_x, sizeof low_x);
+    std::memcpy(&low_y, other.low_y, sizeof low_y);
+    std::memcpy(&low_z, other.low_z, sizeof low_z);
+    std::memcpy(&high_x, other.high_x, sizeof high_x);
+    std::memcpy(&high_y, other.high_y, sizeof high_y);
+    std::memcpy(&high_z, other.high_z, sizeof high_z);
+    const Steps apart = (high_x < leaf.low_x[i]) | (low_x > leaf.high_x[i]) |
+                        (high_y < leaf.low_y[i]) | (low_y > leaf.high_y[i]) |
+                        (high_z < leaf.low_z[i]) | (low_z > leaf.high_z[i]);
+    const unsigned overlap = ~bits_of(apart) & 0xFFU;
+    if (overlap == 0)
+        return 0;
+    Names a, b, c;
+    std::memcpy(&a, other.a, sizeof a);
+    std::memcpy(&b, other.b, sizeof b);
+    std::memcpy(&c, other.c, sizeof c);
+    const auto shared = (a == leaf.a[i]) | (a == leaf.b[i]) | (a == leaf.c[i]) | (b == leaf.a[i]) |
+                        (b == leaf.b[i]) | (b == leaf.c[i]) | (c == leaf.a[i]) | (c == leaf.b[i]) |
+                        (c == leaf.c[i]);
+    return overlap & ~bits_of(shared);
 }
 
 SCREE_MULTIVERSION
@@ -308,13 +373,7 @@ void SelfIntersectionFinder::search_from(const TriMesh& mesh, std::size_t leaf,
     std::array<Place, 128> open;  // halving keeps one place a level
     std::size_t n_open = 1;
     open[0] = {0, 0, leaves_.size()};
-    Box own{glm::vec3(std::numeric_limits<float>::max()),
-            glm::vec3(std::numeric_limits<float>::lowest())};
-    const Leaf& boxes = leaves_[leaf];
-    for (std::size_t k = 0; k < kLeafSize; ++k) {
-        own.low = glm::min(own.low, {boxes.low_x[k], boxes.low_y[k], boxes.low_z[k]});
-        own.high = glm::max(own.high, {boxes.high_x[k], boxes.high_y[k], boxes.high_z[k]});
-    }
+    const Box own = nodes_[node_of_leaf_[leaf]];
     while (n_open > 0) {
         const Place at = open[--n_open];
         const Box& box = nodes_[at.node];
@@ -345,8 +404,6 @@ SelfIntersections SelfIntersectionFinder::find(const TriMesh& mesh, const Adjace
     if (order_.size() != n)
         order_triangles(mesh);
     measure_leaves(mesh);
-    nodes_.resize(2 * leaves_.size() - 1);
-    join_boxes(0, 0, leaves_.size());
 
     const std::size_t n_vertices = mesh.positions.size();
     const std::size_t n_stars = (n_vertices + kStarGrain - 1) / kStarGrain;

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 namespace scree::terrain {
 namespace {
 
 constexpr float kNone = std::numeric_limits<float>::infinity();
-constexpr int kHalvings = 48;
+constexpr int kHalvings = 32;
 
 // Greatest height of the footing above the underside; minus infinity if no cell is below it.
 double deepest(const Footing& footing, const Underside& underside) {
@@ -19,18 +20,17 @@ double deepest(const Footing& footing, const Underside& underside) {
     return most;
 }
 
-double support(const Footing& footing, const Underside& underside, const FloatRaster& stiffness,
-               double cell_area, double raise) {
+// A cell that may bear: how far the footing stands above the underside before it is raised.
+struct Spring {
+    double depth = 0.0;
+    double stiffness = 0.0;
+};
+
+double support(const std::vector<Spring>& springs, double raise) {
     double sum = 0.0;
-    for (std::size_t i = 0; i < underside.heights.size(); ++i) {
-        const float under = underside.heights.data()[i];
-        if (under == kNone)
-            continue;
-        const double depth = footing.heights.data()[i] - (under + raise);
-        if (depth > 0.0)
-            sum += stiffness.data()[i] * depth;
-    }
-    return sum * cell_area;
+    for (const Spring& spring : springs)
+        sum += spring.stiffness * std::max(0.0, spring.depth - raise);
+    return sum;
 }
 
 }  // namespace
@@ -59,19 +59,25 @@ double raise_to_bear(const Footing& footing, const Underside& underside,
                      const FloatRaster& stiffness, double cell_size, double load_n) {
     if (underside.covered == 0)
         return 0.0;
-    const double area = cell_size * cell_size;
+    std::vector<Spring> springs;
+    for (std::size_t i = 0; i < underside.heights.size(); ++i)
+        if (underside.heights.data()[i] < kNone)
+            springs.push_back(
+                {static_cast<double>(footing.heights.data()[i]) - underside.heights.data()[i],
+                 cell_size * cell_size * stiffness.data()[i]});
     double high = deepest(footing, underside);  // bears nothing
     double step = cell_size;
     double low = high - step;
     // Doubling ends: the support grows with the depth without limit where any stiffness is
     // positive; a ground that bears nothing lets it sink a thousand kilometres.
-    while (support(footing, underside, stiffness, area, low) < load_n && step < 1e6) {
+    while (support(springs, low) < load_n && step < 1e6) {
         step *= 2.0;
         low = high - step;
     }
+    std::erase_if(springs, [low](const Spring& spring) { return spring.depth <= low; });
     for (int i = 0; i < kHalvings; ++i) {
         const double middle = 0.5 * (low + high);
-        if (support(footing, underside, stiffness, area, middle) < load_n)
+        if (support(springs, middle) < load_n)
             high = middle;
         else
             low = middle;

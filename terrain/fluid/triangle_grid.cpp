@@ -77,6 +77,30 @@ double front_crossing(const glm::dvec3& from, const glm::dvec3& to, const glm::d
     return through ? std::max(0.0, height / -against) : 2.0;
 }
 
+// The nearest of some hits; see TriangleGrid::nearest().
+struct NearestOf {
+    explicit NearestOf(float most) : reach(most), best_length(most) {}
+
+    void offer(const SurfaceHit& hit, const glm::vec3& point, const glm::vec3& face) {
+        const float length = std::abs(hit.distance);
+        const float height = std::abs(glm::dot(point - hit.point, face));
+        // Distances that differ by rounding alone are those of one shared edge or corner.
+        const float tie = 1e-5F * reach;
+        const bool nearer = length < best_length - tie;
+        const bool equal = length <= std::min(reach, best_length + tie);
+        if (nearer || (equal && height > best_height)) {
+            best = hit;
+            best_length = std::min(best_length, length);
+            best_height = height;
+        }
+    }
+
+    float reach;
+    float best_length;
+    float best_height = -1.0F;
+    SurfaceHit best;
+};
+
 }  // namespace
 
 TriangleGrid::TriangleGrid(const meshing::TriMesh& mesh, float cell) {
@@ -106,12 +130,17 @@ TriangleGrid::TriangleGrid(const meshing::TriMesh& mesh, float cell) {
 
 void TriangleGrid::fill_cells() {
     const std::size_t n = n_triangles();
+    balls_.resize(n);
     firsts_.resize(n);
     lasts_.resize(n);
     parallel_for_each_index(0, n, kGrain, [&](std::size_t t) {
         const glm::vec3* c = &corners_[3 * t];
         firsts_[t] = grid_.cell_of(glm::min(c[0], glm::min(c[1], c[2])));
         lasts_[t] = grid_.cell_of(glm::max(c[0], glm::max(c[1], c[2])));
+        const glm::vec3 centre = (c[0] + c[1] + c[2]) / 3.0F;
+        const float radius = std::max({glm::distance(centre, c[0]), glm::distance(centre, c[1]),
+                                       glm::distance(centre, c[2])});
+        balls_[t] = {centre, 1.0001F * radius};
         const glm::vec3 normal = glm::cross(c[1] - c[0], c[2] - c[0]);
         const float length = glm::length(normal);
         normals_[t] = length > 0.0F ? normal / length : glm::vec3(0.0F);
@@ -186,55 +215,56 @@ SurfaceHit TriangleGrid::closest_on(std::uint32_t triangle, const glm::vec3& poi
     return hit;
 }
 
+bool TriangleGrid::out_of_reach(std::uint32_t triangle, const glm::vec3& point, float reach) const {
+    const Ball& ball = balls_[triangle];
+    const glm::vec3 d = point - ball.centre;
+    const float most = reach + ball.radius;
+    return glm::dot(d, d) > most * most;
+}
+
 SurfaceHit TriangleGrid::nearest(const glm::vec3& point, float reach) const {
-    SurfaceHit best;
-    float best_length = reach;
-    float best_height = -1.0F;
+    NearestOf chosen(reach);
     triangles_in(point - reach, point + reach, [&](std::uint32_t t) {
-        const SurfaceHit hit = closest_on(t, point);
-        const float length = std::abs(hit.distance);
-        const float height = std::abs(glm::dot(point - hit.point, normals_[t]));
-        // Distances that differ by rounding alone are those of one shared edge or corner.
-        const float tie = 1e-5F * reach;
-        const bool nearer = length < best_length - tie;
-        const bool equal = length <= std::min(reach, best_length + tie);
-        if (nearer || (equal && height > best_height)) {
-            best = hit;
-            best_length = std::min(best_length, length);
-            best_height = height;
-        }
+        if (!out_of_reach(t, point, reach))
+            chosen.offer(closest_on(t, point), point, normals_[t]);
     });
-    return best;
+    return chosen.best;
 }
 
 ContactPlanes TriangleGrid::contacts(const glm::vec3& point, float reach) const {
+    thread_local std::vector<SurfaceHit> hits;
+    hits.clear();
+    NearestOf chosen(reach);
+    triangles_in(point - reach, point + reach, [&](std::uint32_t t) {
+        if (out_of_reach(t, point, reach))
+            return;
+        const SurfaceHit hit = closest_on(t, point);
+        chosen.offer(hit, point, normals_[t]);
+        // A face counts where the point lies over it; seen past its rim, a neighbour is nearer.
+        if (std::abs(hit.distance) <= reach && glm::dot(hit.normal, normals_[t]) >= kSameWay)
+            hits.push_back(hit);
+    });
     ContactPlanes found;
-    const SurfaceHit first = nearest(point, reach);
+    const SurfaceHit& first = chosen.best;
     if (!first.found())
         return found;
     // In front of the nearest face, one seen from behind belongs to the far side of a thin wall.
     const float least = first.distance < 0.0F ? -reach : -0.05F * reach;
     found.planes[found.count++] = {first.triangle, first.point, first.normal};
     float lengths[3] = {std::abs(first.distance), 0.0F, 0.0F};
-    triangles_in(point - reach, point + reach, [&](std::uint32_t t) {
-        const SurfaceHit hit = closest_on(t, point);
-        // A face counts where the point lies over it; seen past its rim, a neighbour is nearer.
-        if (std::abs(hit.distance) > reach || hit.distance < least ||
-            glm::dot(hit.normal, normals_[t]) < kSameWay)
-            return;
-        for (int k = 0; k < found.count; ++k)
-            if (glm::dot(found.planes[k].normal, hit.normal) > kSameWay) {
-                if (k > 0 && std::abs(hit.distance) < lengths[k]) {
-                    found.planes[k] = {t, hit.point, hit.normal};
-                    lengths[k] = std::abs(hit.distance);
-                }
-                return;
-            }
-        if (found.count < 3) {
-            lengths[found.count] = std::abs(hit.distance);
-            found.planes[found.count++] = {t, hit.point, hit.normal};
-        }
-    });
+    for (const SurfaceHit& hit : hits) {
+        if (hit.distance < least)
+            continue;
+        int same = 0;
+        while (same < found.count && glm::dot(found.planes[same].normal, hit.normal) <= kSameWay)
+            ++same;
+        const float length = std::abs(hit.distance);
+        if (same == 3 || (same < found.count && (same == 0 || length >= lengths[same])))
+            continue;
+        lengths[same] = length;
+        found.planes[same] = {hit.triangle, hit.point, hit.normal};
+        found.count = std::max(found.count, same + 1);
+    }
     return found;
 }
 

@@ -67,8 +67,14 @@ public:
     bool buried(const glm::vec3& point) const;
 
 private:
+    struct Ball {
+        glm::vec3 centre{0.0F};
+        float radius = 0.0F;
+    };
+
     template <class Visit>
     void triangles_in(const glm::vec3& low, const glm::vec3& high, Visit&& visit) const;
+    bool out_of_reach(std::uint32_t triangle, const glm::vec3& point, float reach) const;
     SurfaceHit closest_on(std::uint32_t triangle, const glm::vec3& point) const;
     void fill_cells();
 
@@ -76,6 +82,7 @@ private:
     glm::vec3 low_{0.0F}, high_{0.0F};
     std::vector<glm::vec3> corners_;  ///< Three a triangle.
     std::vector<glm::vec3> normals_;  ///< Unit; zero for a triangle without area.
+    std::vector<Ball> balls_;         ///< Around each triangle.
     std::vector<glm::ivec3> firsts_;  ///< First cell of each triangle's box.
     std::vector<glm::ivec3> lasts_;   ///< Last cell of each triangle's box.
     std::vector<std::uint32_t> starts_;

@@ -40,15 +40,6 @@ inline float arctangent(float tangent) {
     return steep ? 1.57079633F - angle : angle;
 }
 
-/// Arc tangent of the square root.
-/// @pre  square >= 0.
-inline float arctangent_of_root(float square) {
-    const bool steep = square > 1.0F;
-    const float z = steep ? 1.0F / square : square;
-    const float angle = arctangent_series(z) * std::sqrt(z);
-    return steep ? 1.57079633F - angle : angle;
-}
-
 /// D of a face (`rocks-and-deformer.md` C.8): the harmonic mean; 0 if either is 0.
 inline float face_diffusion(float a, float b) {
     const float sum = a + b;

@@ -28,7 +28,8 @@ struct RowInputs {
     const float *mobility, *mobility_above, *mobility_below;
 };
 
-template <bool kClamp>
+/// @tparam kUnit  Cell size and time step are 1, which leaves two factors out.
+template <bool kClamp, bool kUnit>
 [[gnu::always_inline]] inline void uniform_row(const float* above, const float* here,
                                                const float* below, int n, const RowSoil& soil,
                                                const RowScale& scale, float* __restrict out) {
@@ -37,19 +38,23 @@ template <bool kClamp>
     for (int x = 0; x < n; ++x) {
         const float term_x = literal_diffusion(here[x - 1], here[x], here[x + 1], s.diffusion);
         const float term_z = literal_diffusion(above[x], here[x], below[x], s.diffusion);
-        const float sum = literal_weighted(term_x, s.repose, s.per_room, c.to_grid, kClamp) +
-                          literal_weighted(term_z, s.repose, s.per_room, c.to_grid, kClamp);
-        out[x] = here[x] + c.time_step * sum;
+        const float sum = literal_product(term_x, term_z, {s.repose, s.per_room, kClamp},
+                                          kUnit ? 1.0F : c.to_grid);
+        out[x] = here[x] + (kUnit ? 1.0F : c.time_step) * sum;
     }
 }
 
 SCREE_MULTIVERSION void row_plain(const float* above, const float* here, const float* below, int n,
                                   const RowSoil& soil, const RowScale& scale, float* out) {
-    uniform_row<false>(above, here, below, n, soil, scale, out);
+    const bool unit = scale.to_grid == 1.0F && scale.time_step == 1.0F;
+    if (unit)
+        uniform_row<false, true>(above, here, below, n, soil, scale, out);
+    else
+        uniform_row<false, false>(above, here, below, n, soil, scale, out);
 }
 SCREE_MULTIVERSION void row_clamped(const float* above, const float* here, const float* below,
                                     int n, const RowSoil& soil, const RowScale& scale, float* out) {
-    uniform_row<true>(above, here, below, n, soil, scale, out);
+    uniform_row<true, false>(above, here, below, n, soil, scale, out);
 }
 
 SCREE_MULTIVERSION void row_general(const RowInputs& inputs, int n, const RowScale& scale,
@@ -69,10 +74,9 @@ SCREE_MULTIVERSION void row_general(const RowInputs& inputs, int n, const RowSca
             term_z +=
                 literal_push(in.mobility_above[x], in.mobility_below[x], in.force_z[x], c.push);
         }
-        const float per_room = literal_room(in.repose[x]);
-        const float sum =
-            literal_weighted(term_x, in.repose[x], per_room, c.to_grid, c.clamp_weights) +
-            literal_weighted(term_z, in.repose[x], per_room, c.to_grid, c.clamp_weights);
+        const float repose = in.repose[x];
+        const float sum = literal_product(
+            term_x, term_z, {repose, literal_room(repose), c.clamp_weights}, c.to_grid);
         out[x] = in.here[x] + c.time_step * sum;
     }
 }

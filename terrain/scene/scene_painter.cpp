@@ -3,7 +3,6 @@
 #include "meshing/render/raster_view.h"
 #include "terrain/scene/ground_mesh.h"
 #include "terrain/view/terrain_view.h"
-#include "vision/image_io.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,28 +15,6 @@ namespace {
 
 constexpr int kPictureSide = 1024;  // px of the ground's colours
 constexpr int kMeshSide = 512;
-
-// Plain colours, and the pictures that the materials name.
-std::vector<MaterialLook> looks_of(const DescriptionMap& map) {
-    std::vector<MaterialLook> looks = plain_looks(map);
-    for (std::size_t i = 0; i < looks.size(); ++i) {
-        const MaterialTextures& textures = map.materials[i].textures;
-        looks[i].size_m = textures.size_m;
-        if (!textures.albedo.empty())
-            looks[i].albedo = vision::read_photo(textures.albedo).pixels;
-        if (!textures.normal.empty())
-            looks[i].normal = vision::read_photo(textures.normal).pixels;
-        if (textures.displacement.empty())
-            continue;
-        vision::HeightImage relief = vision::read_heights(textures.displacement);
-        // Values of 0 to 1 without a scale of their own: white is the material's height.
-        if (relief.metres_per_pixel <= 0.0)
-            for (float& height : relief.metres)
-                height *= static_cast<float>(textures.displacement_m);
-        looks[i].displacement = std::move(relief.metres);
-    }
-    return looks;
-}
 
 // Draws on the processor, with the renderer that pictures rocks.
 class SoftwarePainter : public ScenePainter {
@@ -122,7 +99,7 @@ public:
 
 private:
     static TerrainGround ground_of(const Simulation& simulation) {
-        return {&simulation.base(), &simulation.map(), looks_of(simulation.map()), {}};
+        return {&simulation.base(), &simulation.map(), load_looks(simulation.map()), {}};
     }
     static TerrainViewOptions options_of(const Scene& scene) {
         return {.width = scene.outputs.picture_width, .height = scene.outputs.picture_height};
@@ -147,7 +124,7 @@ std::unique_ptr<ScenePainter> make_painter(const Scene& scene, const Simulation&
 }
 
 Photo scene_colours(const Simulation& simulation, int side) {
-    return ground_picture(simulation.base(), simulation.map(), looks_of(simulation.map()), side);
+    return ground_picture(simulation.base(), simulation.map(), load_looks(simulation.map()), side);
 }
 
 }  // namespace scree::terrain

@@ -60,6 +60,7 @@ private:
         check(sediment);
         meshing::check_mesh(run_.mesh);
         adjacency_ = meshing::build_adjacency(run_.mesh);
+        check_reach(wet);
         if (run_.fluid.size() > 0 || run_.fluid.seconds > 0.0)
             fluid_.restore(run_.fluid);
         if (run_.step_limit == 0.0) {
@@ -79,6 +80,17 @@ private:
         run_.fluid = fluid_.state();
         if (looks())
             clean_ = run_;
+    }
+
+    // Particles rest a radius away from the surface: with less reach nothing would ever be wet.
+    void check_reach(const WetErosionOptions& wet) const {
+        const double edge = meshing::mean_edge_length(run_.mesh, adjacency_);
+        const double radius = fluid_.state().radius;
+        if (loop_.scheme == ErosionScheme::Wear && !(wet.influence * edge > radius))
+            fail<InvalidInput>("particles of radius ", radius, " m reach only ",
+                               wet.influence * edge, " m, ", wet.influence,
+                               " mean edges of the mesh; take an influence of ",
+                               std::ceil(2.0 * radius / edge), " or smaller particles");
     }
 
     bool looks() const { return loop_.check_every > 0; }

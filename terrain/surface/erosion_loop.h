@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <string_view>
 
 namespace scree::terrain {
@@ -91,23 +92,21 @@ struct ErosionRun {
     double step_limit = 0.0;  ///< 0 before the first step.
     double dose = 0.0;        ///< Sum of one over the step limits.
     int warmed_up = 0;        ///< Frames.
-    bool sound = true;        ///< Looked at for self-intersections, or never is: a run that goes on
-                              ///< from here ends as one that was never stopped.
+    bool sound = true;        ///< A run taken up from here ends as one that never stopped.
     ErosionReport report;
 };
 
 /// What a run calls; everything may be empty.
 struct ErosionHooks {
-    /// After every step; a step that is rolled back later is reported again.
+    /// After every step, also those that are rolled back later.
     std::function<void(const ErosionRun& run)> after_step = {};
-    /// Pairs of triangles that cross; empty takes meshing's own search.
+    /// Pairs of triangles that cross; without it meshing's own search.
     std::function<std::size_t(const meshing::TriMesh& mesh)> count_crossings = {};
     Progress* progress = nullptr;
 };
 
 /// Steps of fluid and erosion in turn (`mesh-erosion.md` 13), until the dose of `steps` at the
 /// first step limit is given.
-///
 /// Self-intersections that were not there at the start are rolled back to the last state that was
 /// looked at, and shorter steps are taken from there; a run that tangles too often ends at that
 /// state, with `finished` false.
@@ -115,7 +114,8 @@ struct ErosionHooks {
 /// @post  `run` holds the result; given to another call it goes on to the same end.
 /// @throw InvalidOption  a value is out of its range, or small faces shall be collapsed under
 ///                       sediment, which is kept by vertex.
-/// @throw InvalidInput, Cancelled
+/// @throw InvalidInput   also if particles reach no farther than their radius.
+/// @throw Cancelled
 void run_erosion(ErosionRun& run, ParticleFluid& fluid, const ErosionLoopOptions& loop,
                  const WetErosionOptions& wet, const SedimentOptions& sediment,
                  const ErosionHooks& hooks = {});

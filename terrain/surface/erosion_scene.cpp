@@ -4,7 +4,7 @@
 #include "terrain/surface/json_object.h"
 
 #include <algorithm>
-#include <cmath>
+#include <sstream>
 
 namespace scree::terrain {
 namespace {

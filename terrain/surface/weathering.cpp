@@ -41,7 +41,7 @@ struct Weathering::Run {
     StepScratch scratch;
     StepRules rules;
     WeatheringReport report;
-    bool same_triangles = false;  // as in the clean state
+    bool shares_triangles = false;  // the clean state has those of `now`
 
     bool tests() const { return options.check_every > 0; }
     bool dose_reached() const { return now.dose >= now.dose_wanted * (1.0 - kDoseRounding); }
@@ -63,18 +63,33 @@ struct Weathering::Run {
         report.n_at_start = static_cast<std::size_t>(now.n_at_start);
     }
 
+    // While the triangles stay the same, the clean state holds positions alone.
     void keep_clean() {
-        if (same_triangles) {  // the arrays that did not change are not copied again
-            clean.mesh.positions = now.mesh.positions;
-            TriMesh mesh = std::move(clean.mesh);
-            TriMesh present = std::exchange(now.mesh, {});
-            clean = now;
-            clean.mesh = std::move(mesh);
-            now.mesh = std::move(present);
-        } else {
-            clean = now;
+        TriMesh kept;
+        kept.positions = std::move(clean.mesh.positions);
+        kept.positions = now.mesh.positions;
+        TriMesh present = std::exchange(now.mesh, {});
+        clean = now;
+        now.mesh = std::move(present);
+        clean.mesh = std::move(kept);
+        shares_triangles = true;
+    }
+
+    void stop_sharing() {
+        if (shares_triangles) {
+            clean.mesh.triangles = now.mesh.triangles;
+            clean.mesh.texcoords = now.mesh.texcoords;
         }
-        same_triangles = true;
+        shares_triangles = false;
+    }
+
+    WeatheringState clean_state() const {
+        WeatheringState state = clean;
+        if (shares_triangles) {
+            state.mesh.triangles = now.mesh.triangles;
+            state.mesh.texcoords = now.mesh.texcoords;
+        }
+        return state;
     }
 
     void move() {
@@ -97,13 +112,13 @@ struct Weathering::Run {
 
     void remove_small() {
         const auto removed = meshing::remove_small_faces(
-            now.mesh, adjacency, options.small_faces * report.last.mean_edge);
+            now.mesh, adjacency, options.small_faces * report.last.mean_edge,
+            [this] { stop_sharing(); });
         report.n_blocked = removed.n_blocked;
         if (!removed.changed)
             return;
         now.n_collapsed += static_cast<std::int64_t>(removed.n_collapsed);
         finder.compact(removed.kept_triangles);
-        same_triangles = false;
         report.vanished = report.vanished || now.mesh.triangles.empty();
     }
 
@@ -124,7 +139,7 @@ struct Weathering::Run {
         const double wanted = now.dose_wanted;
         const double limit = now.step_limit;
         const std::int64_t restarts = now.restarts;
-        now = clean;
+        now = clean_state();
         if (restarts >= options.max_restarts) {
             report.gave_up = true;
         } else {
@@ -143,7 +158,7 @@ struct Weathering::Run {
         }
         adjacency = meshing::build_adjacency(now.mesh);
         finder = {};
-        same_triangles = false;
+        keep_clean();
     }
 };
 
@@ -227,7 +242,7 @@ const WeatheringReport& Weathering::report() const {
 }
 
 WeatheringState Weathering::state() const {
-    return run_->tests() && !run_->clean.mesh.triangles.empty() ? run_->clean : run_->now;
+    return run_->tests() && !run_->clean.mesh.positions.empty() ? run_->clean_state() : run_->now;
 }
 
 WeatheringReport weather(TriMesh& mesh, const WeatheringOptions& options, Progress* progress) {

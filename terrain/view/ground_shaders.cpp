@@ -30,12 +30,10 @@ constexpr const char* kControl = R"glsl(
 layout(vertices = 3) out;
 in vec3 lattice_point[];
 out vec2 corner_place[];
-patch out float part_length;  // edge of a small triangle, metres
 
 uniform vec3 reference;
 uniform float per_radius2;
 uniform float amount;
-uniform float lattice_step;
 uniform float slack;          // how far displacement may carry a point, metres
 uniform mat4 clip_from_world;
 
@@ -69,7 +67,6 @@ void main() {
     gl_TessLevelOuter[1] = factors.y;
     gl_TessLevelOuter[2] = factors.z;
     gl_TessLevelInner[0] = factors.w;
-    part_length = lattice_step / max(factors.w, 1.0);
 }
 )glsl";
 
@@ -119,7 +116,6 @@ Blend corner_blend(vec2 at) {
 constexpr const char* kEvaluation = R"glsl(
 layout(triangles, fractional_odd_spacing, ccw) in;
 in vec2 corner_place[];
-patch in float part_length;
 
 uniform mat4 clip_from_world;
 uniform vec3 eye;
@@ -127,7 +123,17 @@ uniform float far_m;
 uniform float lattice_step;
 uniform float detail_texels;  // side of the detail pictures
 
-float detail_height(vec2 at) {
+uniform vec3 reference;
+uniform float per_radius2;
+uniform float amount;
+
+// Edge of the small triangles about a place, metres: from the place alone, not from the patch, or
+// the two patches of an edge would look detail up in different levels and a crack would open.
+float part_length(vec3 place) {
+    return lattice_step / clamp(tessellation_weight(place, place, place, reference, per_radius2) * amount + 1.0, 1.0, 64.0);
+}
+
+float detail_height(vec2 at, float part_length) {
     Blend blend = corner_blend(at);
     float height = 0.0;
     for (int i = 0; i < 4; ++i) {
@@ -147,13 +153,14 @@ void main() {
                       gl_TessCoord.z * corner_place[2];
     vec2 uv = ground_uv(at);
     float base = textureLod(base_heights, uv, 0.0).r;
+    vec3 place = vec3(at.x, base, at.y);
     // At the rim the ground meets its sides, which have no detail.
     vec2 inside = min(uv, 1.0 - uv) / per_ground_size;
     float rim = smoothstep(0.0, 1.0, min(inside.x, inside.y) / (0.5 * lattice_step));
-    float near = range_share(distance(eye, vec3(at.x, base, at.y)), far_m);
+    float near = range_share(distance(eye, place), far_m);
     float height = base;
     if (near > 0.0)
-        height += near * (textureLod(moved_heights, uv, 0.0).r + rim * detail_height(at));
+        height += near * (textureLod(moved_heights, uv, 0.0).r + rim * detail_height(at, part_length(place)));
     gl_Position = clip_from_world * vec4(at.x, height, at.y, 1.0);
 }
 )glsl";
@@ -202,6 +209,24 @@ float grain_sun(vec2 uv, float layer, Look look, float height) {
     return lit;
 }
 
+// A look-up under an oblong footprint: two or four rounder ones along its length, so that ground seen
+// at a slant keeps its detail.
+vec4 sampled(sampler2DArray pictures, vec3 at, vec2 dx, vec2 dy) {
+    float x2 = dot(dx, dx);
+    float y2 = dot(dy, dy);
+    vec2 longer = x2 > y2 ? dx : dy;
+    vec2 shorter = x2 > y2 ? dy : dx;
+    float oblong = max(x2, y2) / max(min(x2, y2), 1e-30);
+    int n = oblong < 3.0 ? 1 : oblong < 12.0 ? 2 : 4;
+    vec2 piece = longer / float(n);
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < n; ++i) {
+        vec2 off = piece * (float(i) - 0.5 * float(n - 1));
+        sum += textureGrad(pictures, at + vec3(off, 0.0), piece, shorter);
+    }
+    return sum / float(n);
+}
+
 Soil soil_at(vec2 at, vec2 dx, vec2 dy) {
     Blend blend = corner_blend(at);
     Soil soil = Soil(vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0);
@@ -212,14 +237,14 @@ Soil soil_at(vec2 at, vec2 dx, vec2 dy) {
         Look look = looks[blend.layer[i]];
         float layer = float(blend.layer[i]);
         vec2 uv = at * look.measure.x;
-        vec4 d = textureGrad(detail, vec3(uv, layer), dx * look.measure.x, dy * look.measure.x);
+        vec4 d = sampled(detail, vec3(uv, layer), dx * look.measure.x, dy * look.measure.x);
         float w = blend.weight[i];
         if (w < 1.0)  // what stands higher covers what lies lower
             w *= exp2(7.0 * (d.b - 0.5) * step(1e-9, look.measure.y));
         total += w;
         vec3 colour = look.colour.rgb;
         if (look.measure.w > 0.5)
-            colour = textureGrad(albedo, vec3(uv, layer), dx * look.measure.x, dy * look.measure.x).rgb;
+            colour = sampled(albedo, vec3(uv, layer), dx * look.measure.x, dy * look.measure.x).rgb;
         soil.albedo += w * colour;
         soil.slopes += w * (d.rg * 2.0 - 256.0 / 255.0) * look.measure.z;
         soil.open += w * d.a;
@@ -340,8 +365,8 @@ std::string ground_control_glsl() {
 }
 
 std::string ground_evaluation_glsl() {
-    return kVersion + std::string(ranges_glsl()) + std::string(noise_glsl()) + kHeights + kLooks +
-           kEvaluation;
+    return kVersion + std::string(ranges_glsl()) + std::string(tessellation_glsl()) +
+           std::string(noise_glsl()) + kHeights + kLooks + kEvaluation;
 }
 
 std::string ground_fragment_glsl() {

@@ -250,6 +250,18 @@ void GroundTextures::finish(const glm::vec3& sun_direction) {
     dirty_ = {};
 }
 
+float GroundTextures::base_height(float x, float z) const {
+    const auto cell = [&](float at, float origin, int count) {
+        return static_cast<int>(
+            std::clamp((at - origin) / cell_size_, 0.0F, static_cast<float>(count - 1)));
+    };
+    float height = 0.0F;
+    glGetTextureSubImage(base_.id(), 0, cell(x, origin_.x, window_.width),
+                         cell(z, origin_.y, window_.height), 0, 1, 1, 1, GL_RED, GL_FLOAT,
+                         sizeof height, &height);
+    return height;
+}
+
 void GroundTextures::bind() const {
     const std::array<const GlTexture*, 7> units{&base_,   &moved_,  &surface_, &sun_reach_,
                                                 &layers_, &albedo_, &detail_};

@@ -26,6 +26,8 @@ public:
     /// Set what the shaders know of the ground's place and size.
     void set_uniforms(const ShaderProgram& program) const;
 
+    /// Height of the base at a place, the window's rim carried outwards; waits for the device.
+    float base_height(float x, float z) const;
     const CellWindow& window() const { return window_; }
     float cell_size() const { return cell_size_; }
     glm::vec2 origin() const { return origin_; }

@@ -125,6 +125,7 @@ TessellationRule TerrainView::State::rule(const TerrainFrame& frame) const {
     rule.reference = frame.camera.target;
     if (options.refine_at == RefineAt::Object && !frame.objects.empty())
         rule.reference = glm::vec3(frame.objects.front().world_from_object[3]);
+    rule.reference.y = ground.base_height(rule.reference.x, rule.reference.z);
     rule.radius = options.refine_radius_m > 0.0 ? static_cast<float>(options.refine_radius_m)
                                                 : 0.5F * std::max(ground.size().x, ground.size().y);
     rule.amount = static_cast<float>(options.tessellation);

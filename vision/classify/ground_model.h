@@ -29,7 +29,7 @@ ClassScores log_probabilities(const GroundModel& model, const GroundFeatures& fe
 std::string describe_model(const GroundModel& model);
 
 struct TrainingOptions {
-    int rounds = 1500;
+    int rounds = 1000;
     double shrinkage = 1e-3;  ///< Weight of the squares of the weights.
 };
 

@@ -1,6 +1,7 @@
 #include "terrain/scene/ground_builder.h"
 
 #include "base/error.h"
+#include "base/whole_file.h"
 #include "terrain/scene/ground_noise.h"
 #include "terrain/scene/scene_file.h"
 #include "tests/support/temp_dir.h"

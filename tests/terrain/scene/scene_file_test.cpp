@@ -154,9 +154,9 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"eye", with_ground(R"("camera": {"eye_m": [0, 0, 0]})"), "camera", "both"},
         Wrong{"twice", with_ground(R"("map": "m.json", "materials": [])"), "map",
               "stands beside materials"}),
-    [](const auto& info) {
+    [](const auto& wrong) {
         std::string name;
-        for (const char c : std::string(info.param.what))
+        for (const char c : std::string(wrong.param.what))
             name += c == ' ' ? '_' : c;
         return name;
     });

@@ -20,8 +20,6 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr double kSize = 0.02;
-
 Scene scene_of(const std::string& members) {
     return scene_from_json(R"({"format": "scree-scene", "version": 1, )" + members + "}", "s.json",
                            "");
@@ -32,15 +30,21 @@ std::string flat(int width, int height) {
            std::to_string(height) + R"(, "cell_size_m": 0.02})";
 }
 
+std::string fine(int width, int height) {
+    return R"("ground": {"width": )" + std::to_string(width) + R"(, "height": )" +
+           std::to_string(height) + R"(, "cell_size_m": 0.01})";
+}
+
 // A ball that is dragged along x at a height, `radius_m` 0.16.
 std::string dragged(double from_x, double to_x, double y, double z, double seconds) {
     const auto place = [&](double x) {
         return "[" + std::to_string(x) + ", " + std::to_string(y) + ", " + std::to_string(z) + "]";
     };
     return R"({"mass_kg": 40, "drag_n": 60, "shape": {"kind": "sphere", "radius_m": 0.16},
-               "motion": {"keys": [{"time_s": 0, "position_m": )" +
-           place(from_x) + R"(}, {"time_s": )" + std::to_string(seconds) + R"(, "position_m": )" +
-           place(to_x) + "}]}}";
+               "motion": {"to_s": )" +
+           std::to_string(seconds) + R"(, "keys": [{"time_s": 0, "position_m": )" + place(from_x) +
+           R"(}, {"time_s": )" + std::to_string(seconds) + R"(, "position_m": )" + place(to_x) +
+           "}]}}";
 }
 
 void run(Simulation& simulation, int frames) {
@@ -59,15 +63,20 @@ struct Track {
     double depth = 0.0;  // below the old ground
     double rim = 0.0;    // above it
     double width = 0.0;  // of what lies below half the depth
+    double span = 0.0;   // between the crests of both rims
 };
 
 Track track_at(const Simulation& simulation, int x) {
     const std::vector<double> heights = profile(simulation, x);
+    const double size = simulation.base().cell_size;
     Track track;
     track.depth = -*std::min_element(heights.begin(), heights.end());
     track.rim = *std::max_element(heights.begin(), heights.end());
     for (const double u : heights)
-        track.width += u < -0.5 * track.depth ? kSize : 0.0;
+        track.width += u < -0.5 * track.depth ? size : 0.0;
+    const auto middle = std::min_element(heights.begin(), heights.end());
+    track.span = size * static_cast<double>(std::max_element(middle, heights.end()) -
+                                            std::max_element(heights.begin(), middle));
     return track;
 }
 
@@ -81,24 +90,25 @@ const std::string kThree = R"(, "materials": [
 // TD-12, TD-22: one load, three tracks; each has a groove, rims on both sides and slopes that its
 // material holds.
 TEST(Simulation, ThreeMaterialsKeepThreeTracks) {
-    const Scene scene = scene_of(flat(135, 50) + kThree + R"(, "frames": 40, "objects": [)" +
+    const Scene scene = scene_of(fine(270, 100) + kThree + R"(, "frames": 40, "objects": [)" +
                                  dragged(0.1, 2.6, 0.1, 0.5, 1.2) + "]");
     Simulation simulation(scene, Device::Cpu);
     run(simulation, 60);
-    const Track sand = track_at(simulation, 24);
-    const Track mud = track_at(simulation, 66);
-    const Track pebbles = track_at(simulation, 110);
+    const Track sand = track_at(simulation, 50);
+    const Track mud = track_at(simulation, 135);
+    const Track pebbles = track_at(simulation, 220);
     for (const Track& one : {sand, mud, pebbles}) {
         EXPECT_GT(one.depth, 0.02);
         EXPECT_LE(one.depth, 0.061);  // never below the ball
         EXPECT_GT(one.rim, 0.008);
     }
-    EXPECT_GT(mud.depth, sand.depth + 0.004);  // its walls stand
-    EXPECT_GT(std::abs(sand.rim - mud.rim), 0.002);
-    EXPECT_GT(std::abs(pebbles.rim - mud.rim), 0.002);
-    EXPECT_NE(sand.width, mud.width);
-    const auto heights = profile(simulation, 24);
-    const auto middle = heights.begin() + 25;
+    EXPECT_GT(pebbles.rim, sand.rim + 0.003);  // pushed farthest aside
+    EXPECT_GT(sand.rim, mud.rim + 0.003);      // that moves least
+    EXPECT_GT(pebbles.span, sand.span);
+    EXPECT_GT(sand.span, mud.span + 0.03);
+    EXPECT_GT(pebbles.depth, sand.depth);
+    const auto heights = profile(simulation, 50);
+    const auto middle = heights.begin() + 50;
     EXPECT_GT(*std::max_element(heights.begin(), middle), 0.005);
     EXPECT_GT(*std::max_element(middle, heights.end()), 0.005);
     for (const MaterialReport& one : simulation.material_reports()) {
