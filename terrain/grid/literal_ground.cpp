@@ -123,9 +123,13 @@ LiteralGround::LiteralGround(const Heightfield& base, const SoilField& soil,
         soil.fill({0, 0, 1, 1}, soil_);
     else
         soil_ = soil_with_rim(soil, width_, height_);
-    for (int y = 0; y < height_; ++y)
-        std::copy_n(base.heights.row(y), width_, heights_.row(y + 1) + 1);
-    refresh_rim(heights_);
+    for (int y = 0; y < height_; ++y) {
+        float* row = heights_.row(y + 1) + 1;
+        std::copy_n(base.heights.row(y), width_, row);
+        row[-1] = row[0];
+        row[width_] = row[width_ - 1];
+    }
+    copy_rim_rows(heights_);
 }
 
 DeformerReport LiteralGround::step(std::span<const Load> loads, float* moved) {
@@ -177,20 +181,25 @@ void LiteralGround::iterate() {
     constexpr std::size_t kRows = 32;
     parallel_for_each_index(0, static_cast<std::size_t>(height_), kRows,
                             [&](std::size_t y) { step_row(static_cast<int>(y)); });
-    if (rule_.border == Border::Zero)  // (4.7)
-        for (int y = 0; y < height_; ++y) {
-            const bool whole = y == 0 || y == height_ - 1;
-            const float* base = base_->heights.row(y);
-            float* row = next_.row(y + 1) + 1;
-            if (whole)
-                std::copy_n(base, width_, row);
-            row[0] = base[0];
-            row[width_ - 1] = base[width_ - 1];
-        }
-    refresh_rim(next_);
+    copy_rim_rows(next_);
 }
 
+/// One row, and its rim while it is at hand.
 void LiteralGround::step_row(int y) {
+    step_cells(y);
+    float* row = next_.row(y + 1) + 1;
+    if (rule_.border == Border::Zero) {  // (4.7)
+        const float* base = base_->heights.row(y);
+        if (y == 0 || y == height_ - 1)
+            std::copy_n(base, width_, row);
+        row[0] = base[0];
+        row[width_ - 1] = base[width_ - 1];
+    }
+    row[-1] = row[0];
+    row[width_] = row[width_ - 1];
+}
+
+void LiteralGround::step_cells(int y) {
     const float* here = heights_.row(y + 1) + 1;
     const float* above = heights_.row(y) + 1;
     const float* below = heights_.row(y + 2) + 1;
@@ -216,12 +225,7 @@ void LiteralGround::step_row(int y) {
 }
 
 /// Cells outside the ground have the height of its rim.
-void LiteralGround::refresh_rim(FloatRaster& heights) const {
-    for (int y = 1; y <= height_; ++y) {
-        float* row = heights.row(y);
-        row[0] = row[1];
-        row[width_ + 1] = row[width_];
-    }
+void LiteralGround::copy_rim_rows(FloatRaster& heights) const {
     std::copy_n(heights.row(1), width_ + 2, heights.row(0));
     std::copy_n(heights.row(height_), width_ + 2, heights.row(height_ + 1));
 }

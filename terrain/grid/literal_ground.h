@@ -27,7 +27,8 @@ private:
     void gather(std::span<const Load> loads);
     void iterate();
     void step_row(int y);
-    void refresh_rim(FloatRaster& heights) const;
+    void step_cells(int y);
+    void copy_rim_rows(FloatRaster& heights) const;
 
     const Heightfield* base_;
     LiteralRule rule_;

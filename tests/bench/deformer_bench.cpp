@@ -206,7 +206,9 @@ void window_256(benchmark::State& state) {
 }
 
 benchmark::internal::Benchmark* timed(const char* name, void (*run)(benchmark::State&)) {
-    return benchmark::RegisterBenchmark(name, run)->Unit(benchmark::kMillisecond);
+    auto* b = benchmark::RegisterBenchmark(name, run)->Unit(benchmark::kMillisecond);
+    if (std::getenv("PCPU")) b->MeasureProcessCPUTime();
+    return b;
 }
 
 const bool registered = [] {
