@@ -19,7 +19,8 @@ struct Section {
 };
 
 struct Sections {
-    Section positions, normals, texcoords, wide_texcoords, indices, wide_indices, instances;
+    Section positions, normals, texcoords, wide_texcoords, colours;
+    Section indices, wide_indices, instances;
 };
 
 /// Empty sections with the strides and targets that vertices and indices have.

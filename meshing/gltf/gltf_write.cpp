@@ -71,6 +71,11 @@ tinygltf::Primitive add_primitive(Model& model, Sections& sections, const Encode
                                      mesh.coded_texcoords ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT
                                                           : TINYGLTF_COMPONENT_TYPE_FLOAT,
                                      mesh.n_vertices, mesh.coded_texcoords));
+    if (!mesh.colours.empty())
+        primitive.attributes["COLOR_0"] =
+            add_accessor(model, sections.colours, mesh.colours,
+                         accessor_of(TINYGLTF_TYPE_VEC4, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE,
+                                     mesh.n_vertices, true));
     primitive.indices = add_accessor(
         model, mesh.wide_indices ? sections.wide_indices : sections.indices, mesh.indices,
         accessor_of(TINYGLTF_TYPE_SCALAR,
@@ -86,11 +91,17 @@ std::vector<EncodedMesh> encode_meshes(GltfScene& scene, const GltfWriteOptions&
     parallel_for_each_index(0, encoded.size(), 1, [&](std::size_t i) {
         encoded[i] = gltf::encode_mesh(std::move(scene.meshes[i].geometry),
                                        {options.quantise, options.reorder, !scene.texture.empty()});
+        encoded[i].colours = gltf::encode_colours(scene.meshes[i].colours);
     });
     return encoded;
 }
 
 // ---- material ----
+
+bool has_colours(const GltfScene& scene) {
+    return std::any_of(scene.meshes.begin(), scene.meshes.end(),
+                       [](const GltfMesh& mesh) { return !mesh.colours.empty(); });
+}
 
 void add_material(Model& model, const GltfScene& scene) {
     tinygltf::Material material;
@@ -98,7 +109,10 @@ void add_material(Model& model, const GltfScene& scene) {
     material.pbrMetallicRoughness.metallicFactor = 0.0;
     material.pbrMetallicRoughness.roughnessFactor = 0.9;
     if (scene.texture.empty()) {
-        material.pbrMetallicRoughness.baseColorFactor = {0.5, 0.48, 0.45, 1.0};
+        // Colours of vertices are multiplied with it.
+        material.pbrMetallicRoughness.baseColorFactor =
+            has_colours(scene) ? std::vector<double>{1.0, 1.0, 1.0, 1.0}
+                               : std::vector<double>{0.5, 0.48, 0.45, 1.0};
     } else {
         tinygltf::Image image;
         image.name = "photograph";
@@ -365,6 +379,8 @@ void add_meshes(Model& model, Sections& sections, const Context& context,
 std::vector<std::uint8_t> encode_glb(GltfScene scene, const GltfWriteOptions& options) {
     check(options);
     check_scene(scene);
+    if (options.reorder && has_colours(scene))
+        fail<InvalidInput>("meshes with colours keep their order: turn off reorder");
     std::vector<EncodedMesh> encoded = encode_meshes(scene, options);
     const Context context{scene, options, encoded};
     Model model;
@@ -378,7 +394,7 @@ std::vector<std::uint8_t> encode_glb(GltfScene scene, const GltfWriteOptions& op
     add_nodes(model, sections, context);
     for (Section* section :
          {&sections.positions, &sections.normals, &sections.texcoords, &sections.wide_texcoords,
-          &sections.indices, &sections.wide_indices, &sections.instances})
+          &sections.colours, &sections.indices, &sections.wide_indices, &sections.instances})
         close_section(model, *section);
     add_scene(model, scene);
     declare_extensions(model, context);
