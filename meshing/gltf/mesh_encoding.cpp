@@ -98,11 +98,6 @@ void encode_indices(const TriMesh& mesh, EncodedMesh& out) {
 
 }  // namespace
 
-void EncodedMesh::release() {
-    for (std::vector<std::uint8_t>* bytes : {&positions, &normals, &texcoords, &colours, &indices})
-        *bytes = {};
-}
-
 std::vector<std::uint8_t> encode_colours(const std::vector<glm::u8vec3>& colours) {
     const auto linear = [](std::uint8_t coded) {
         const double c = coded / 255.0;

@@ -23,8 +23,6 @@ struct EncodedMesh {
     glm::dvec3 low{0.0};                  ///< Least stored position, component by component.
     glm::dvec3 high{0.0};                 ///< Greatest.
     double scale = 1.0;                   ///< Metres that a stored position of 1 stands for.
-
-    void release();  ///< Give the bytes back; numbers stay.
 };
 
 struct EncodingOptions {

@@ -1,0 +1,16 @@
+scree_add_sources(terrain
+  HEADERS
+    erosion_checkpoint.h
+    erosion_ground.h
+    erosion_loop.h
+    erosion_scene.h
+    sediment.h
+    wet_erosion.h
+  SOURCES
+    erosion_checkpoint.cpp
+    erosion_ground.cpp
+    erosion_loop.cpp
+    erosion_scene.cpp
+    json_object.cpp
+    sediment.cpp
+    wet_erosion.cpp)
