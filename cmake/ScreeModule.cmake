@@ -50,26 +50,47 @@ if(SCREE_SANITIZE MATCHES "undefined")
     -fno-sanitize=null,alignment,object-size,vptr)
 endif()
 
-# tests/<path>_test.cpp, listed by ctest as <path>/...; label `threads` for what TSan should see, `slow`
-# for what the sanitizer builds leave out.
+# tests/<path>_test.cpp. The tests of a folder share one program, <folder>_tests: linking and starting
+# programs costs more than most tests do. Those with a label or a time limit of their own stand alone.
+# ctest lists each as <folder>/Suite.Name, or a program as one test in the sanitizer build, where a start
+# is slow. Labels: `threads` for what TSan should see, `slow` for what the sanitizer builds leave out.
+# The program's target is left in scree_test_target.
 function(scree_add_test path)
   cmake_parse_arguments(arg "" "TIMEOUT" "LIBS;LABELS" ${ARGN})
-  string(REPLACE "/" "_" target ${path}_test)
-  add_executable(${target} ${PROJECT_SOURCE_DIR}/tests/${path}_test.cpp)
+  get_filename_component(folder ${path} DIRECTORY)
+  if(arg_LABELS OR arg_TIMEOUT)
+    string(REPLACE "/" "_" target ${path}_test)
+  else()
+    string(REPLACE "/" "_" target ${folder}_tests)
+  endif()
+  set(scree_test_target ${target} PARENT_SCOPE)
+  if(NOT TARGET ${target})
+    scree_add_test_program(${target} ${path} ${folder} "${arg_TIMEOUT}" "${arg_LABELS}")
+  endif()
+  target_sources(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests/${path}_test.cpp)
   target_link_libraries(${target} PRIVATE
     ${arg_LIBS} scree_test_support scree_flags scree_test_flags GTest::gmock_main)
+endfunction()
+
+function(scree_add_test_program target path folder timeout labels)
+  add_executable(${target})
   target_compile_definitions(${target} PRIVATE SCREE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   if(SCREE_TEST_PCH)
     target_precompile_headers(${target} REUSE_FROM scree_test_headers)
   endif()
-  if(NOT arg_TIMEOUT)
-    set(arg_TIMEOUT 300)
+  if(NOT timeout)
+    set(timeout 300)
   endif()
-  if("threads" IN_LIST arg_LABELS)
+  if("threads" IN_LIST labels)
     set_property(GLOBAL APPEND PROPERTY SCREE_THREADED_TESTS ${target})
   endif()
-  gtest_discover_tests(${target} TEST_PREFIX ${path}/ DISCOVERY_TIMEOUT 120
-    PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABELS}")
+  if(SCREE_SANITIZE MATCHES "address")
+    add_test(NAME ${target} COMMAND ${target})
+    set_tests_properties(${target} PROPERTIES TIMEOUT 1200 LABELS "${labels}")
+  else()
+    gtest_discover_tests(${target} TEST_PREFIX ${folder}/ DISCOVERY_TIMEOUT 120
+      PROPERTIES TIMEOUT ${timeout} LABELS "${labels}")
+  endif()
 endfunction()
 
 function(scree_add_benchmark name)  # tests/bench/<name>_bench.cpp -> build/<preset>/tests/bench/<name>

@@ -4,8 +4,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
+
+#include <glm/fwd.hpp>
+#include <glm/vec4.hpp>
 
 namespace scree::vision {
 
@@ -24,6 +28,21 @@ struct PhotoFile {
 struct HeightImage {
     FloatRaster metres;
     double metres_per_pixel = 0.0;  ///< 0 if unknown.
+    bool in_metres = true;          ///< False: shares of white, the file says nothing of metres.
+};
+
+/// Four channels of whole numbers that are data, not colours: alpha is never multiplied in.
+struct RgbaImage {
+    Raster<glm::u16vec4> values;  ///< Each at most 255 if `bits` is 8.
+    int bits = 8;                 ///< 8 or 16, as in the file.
+
+    bool operator==(const RgbaImage&) const = default;
+};
+
+/// One channel of a float picture.
+struct NamedPlane {
+    std::string name;
+    FloatRaster values;
 };
 
 /// Read a photograph as 8-bit sRGB: PNG, JPEG, TIFF, OpenEXR, BMP, PNM, GIF, WebP or TGA of any
@@ -37,12 +56,24 @@ struct HeightImage {
 /// numbers.
 PhotoFile read_photo(const std::filesystem::path& path, const ReadLimits& limits = {});
 
+/// How many channels a picture has. @throw IoError, InvalidInput  as read_photo().
+int count_channels(const std::filesystem::path& path, const ReadLimits& limits = {});
+
 /// Read a label map: one channel of 8 or 16 bits, values kept as they are.
 LabelMap read_labels(const std::filesystem::path& path, const ReadLimits& limits = {});
 
 /// Read one channel as float (heights): integers are divided by their largest value.
 /// Honours `scree:metres_min` and `scree:metres_max` if the file carries them.
 HeightImage read_heights(const std::filesystem::path& path, const ReadLimits& limits = {});
+
+/// Read four channels of 8 or 16 bits, values kept as they are.
+/// @throw InvalidInput  it has another number of channels or other values; else as read_photo().
+RgbaImage read_rgba(const std::filesystem::path& path, const ReadLimits& limits = {});
+
+/// Read every channel of a float picture with its name, in the order of the file.
+/// @throw InvalidInput  a value is no number or the file holds whole numbers; else as read_photo().
+std::vector<NamedPlane> read_planes(const std::filesystem::path& path,
+                                    const ReadLimits& limits = {});
 
 /// Write 8-bit sRGB PNG. `path` is used as it is: stage it for an atomic write.
 /// @throw IoError  names the path and the reason.
@@ -60,7 +91,18 @@ void write_heights_exr(const std::filesystem::path& path, const HeightImage& hei
 /// metadata as `scree:metres_min` and `scree:metres_max`, beside `scree:metres_per_pixel`.
 void write_heights_png(const std::filesystem::path& path, const HeightImage& heights);
 
+/// Write PNG without a colour space, alpha as it is.
+void write_rgba_png(const std::filesystem::path& path, const RgbaImage& picture);
+/// Write planes of one size as channels of a 32-bit float EXR.
+void write_planes_exr(const std::filesystem::path& path, std::span<const NamedPlane> planes);
+
 /// A JPEG file in memory. @param quality 1 to 100.
 std::vector<std::uint8_t> encode_jpeg(const Photo& picture, int quality);
+
+/// Write an animated GIF that repeats for ever; every picture gets a palette of its own.
+/// @throw InvalidInput  no picture, pictures of different sizes, or a rate that is not positive.
+/// @throw IoError       names the path and the reason.
+void write_gif(const std::filesystem::path& path, std::span<const Photo> pictures,
+               double frames_per_second);
 
 }  // namespace scree::vision

@@ -1,7 +1,6 @@
 #include "meshing/gltf/gltf_morph.h"
 
 #include "base/error.h"
-#include "meshing/gltf/glb_sections.h"
 
 #include <cmath>
 #include <cstring>
@@ -15,10 +14,6 @@
 
 namespace scree::meshing {
 namespace {
-
-using gltf::accessor_of;
-using gltf::add_accessor;
-using gltf::Section;
 
 using Vectors = std::vector<glm::vec3>;
 
@@ -69,7 +64,33 @@ Vectors difference(const Vectors& a, const Vectors& b) {
     return d;
 }
 
-int add_vectors(tinygltf::Model& model, Section& section, const Vectors& values, bool bounds) {
+tinygltf::Accessor accessor_of(int type, int component, std::size_t count) {
+    tinygltf::Accessor accessor;
+    accessor.type = type;
+    accessor.componentType = component;
+    accessor.count = count;
+    return accessor;
+}
+
+// Bytes at the end of the buffer, in a view of their own.
+// @param target  0: neither vertices nor indices.
+int add_accessor(tinygltf::Model& model, const std::vector<std::uint8_t>& bytes,
+                 tinygltf::Accessor accessor, int target) {
+    std::vector<std::uint8_t>& buffer = model.buffers[0].data;
+    tinygltf::BufferView view;
+    view.buffer = 0;
+    view.byteOffset = buffer.size();
+    view.byteLength = bytes.size();
+    view.target = target;
+    buffer.insert(buffer.end(), bytes.begin(), bytes.end());
+    buffer.resize((buffer.size() + 3) / 4 * 4, 0);
+    accessor.bufferView = static_cast<int>(model.bufferViews.size());
+    model.bufferViews.push_back(view);
+    model.accessors.push_back(std::move(accessor));
+    return static_cast<int>(model.accessors.size()) - 1;
+}
+
+int add_vectors(tinygltf::Model& model, const Vectors& values, bool bounds) {
     auto accessor = accessor_of(TINYGLTF_TYPE_VEC3, TINYGLTF_COMPONENT_TYPE_FLOAT, values.size());
     if (bounds) {
         glm::vec3 low(std::numeric_limits<float>::max()), high(-low);
@@ -80,49 +101,50 @@ int add_vectors(tinygltf::Model& model, Section& section, const Vectors& values,
         accessor.minValues = {low.x, low.y, low.z};
         accessor.maxValues = {high.x, high.y, high.z};
     }
-    return add_accessor(model, section, bytes_of(std::span<const glm::vec3>(values)), accessor);
+    return add_accessor(model, bytes_of(std::span<const glm::vec3>(values)), std::move(accessor),
+                        TINYGLTF_TARGET_ARRAY_BUFFER);
 }
 
-int add_scalars(tinygltf::Model& model, Section& section, const std::vector<float>& values,
-                bool bounds) {
+int add_scalars(tinygltf::Model& model, const std::vector<float>& values, bool bounds) {
     auto accessor = accessor_of(TINYGLTF_TYPE_SCALAR, TINYGLTF_COMPONENT_TYPE_FLOAT, values.size());
     if (bounds) {
         accessor.minValues = {values.front()};
         accessor.maxValues = {values.back()};
     }
-    return add_accessor(model, section, bytes_of(std::span<const float>(values)), accessor);
+    return add_accessor(model, bytes_of(std::span<const float>(values)), std::move(accessor), 0);
 }
 
-void add_mesh(tinygltf::Model& model, const MorphScene& scene, Section& vectors, Section& indices) {
+void add_mesh(tinygltf::Model& model, const MorphScene& scene) {
     tinygltf::Primitive primitive;
     primitive.mode = TINYGLTF_MODE_TRIANGLES;
     primitive.material = 0;
     const Vectors normals = normals_of(scene.mesh, scene.mesh.positions);
-    primitive.attributes["POSITION"] = add_vectors(model, vectors, scene.mesh.positions, true);
-    primitive.attributes["NORMAL"] = add_vectors(model, vectors, normals, false);
+    primitive.attributes["POSITION"] = add_vectors(model, scene.mesh.positions, true);
+    primitive.attributes["NORMAL"] = add_vectors(model, normals, false);
     tinygltf::Mesh mesh;
     mesh.name = scene.name;
     tinygltf::Value::Array names;
     for (const MorphShape& shape : scene.shapes) {
         const Vectors moved = difference(shape.positions, scene.mesh.positions);
         const Vectors turned = difference(normals_of(scene.mesh, shape.positions), normals);
-        primitive.targets.push_back({{"POSITION", add_vectors(model, vectors, moved, true)},
-                                     {"NORMAL", add_vectors(model, vectors, turned, false)}});
+        primitive.targets.push_back({{"POSITION", add_vectors(model, moved, true)},
+                                     {"NORMAL", add_vectors(model, turned, false)}});
         mesh.weights.push_back(0.0);
         names.emplace_back(shape.name);
     }
     const std::span<const glm::uvec3> triangles(scene.mesh.triangles);
     primitive.indices =
-        add_accessor(model, indices, bytes_of(triangles),
+        add_accessor(model, bytes_of(triangles),
                      accessor_of(TINYGLTF_TYPE_SCALAR, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
-                                 3 * triangles.size()));
+                                 3 * triangles.size()),
+                     TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
     mesh.primitives.push_back(std::move(primitive));
     mesh.extras = tinygltf::Value(tinygltf::Value::Object{{"targetNames", tinygltf::Value(names)}});
     model.meshes.push_back(std::move(mesh));
 }
 
 // At equal times one shape has all the weight; at the last none has, which shows the mesh.
-void add_animation(tinygltf::Model& model, const MorphScene& scene, Section& scalars) {
+void add_animation(tinygltf::Model& model, const MorphScene& scene) {
     const std::size_t n = scene.shapes.size();
     std::vector<float> times;
     std::vector<float> weights;
@@ -133,8 +155,8 @@ void add_animation(tinygltf::Model& model, const MorphScene& scene, Section& sca
             weights.push_back(shape == key ? 1.0F : 0.0F);
     }
     tinygltf::AnimationSampler sampler;
-    sampler.input = add_scalars(model, scalars, times, true);
-    sampler.output = add_scalars(model, scalars, weights, false);
+    sampler.input = add_scalars(model, times, true);
+    sampler.output = add_scalars(model, weights, false);
     sampler.interpolation = "LINEAR";
     tinygltf::AnimationChannel channel;
     channel.sampler = 0;
@@ -161,14 +183,8 @@ std::vector<std::uint8_t> encode_morph_glb(const MorphScene& scene) {
     material.pbrMetallicRoughness.roughnessFactor = 0.9;
     material.pbrMetallicRoughness.baseColorFactor = {0.5, 0.48, 0.45, 1.0};
     model.materials.push_back(material);
-    Section vectors, indices, scalars;
-    vectors.stride = 12;
-    vectors.target = TINYGLTF_TARGET_ARRAY_BUFFER;
-    indices.target = TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
-    add_mesh(model, scene, vectors, indices);
-    add_animation(model, scene, scalars);
-    for (Section* section : {&vectors, &indices, &scalars})
-        close_section(model, *section);
+    add_mesh(model, scene);
+    add_animation(model, scene);
     tinygltf::Node node;
     node.name = scene.name;
     node.mesh = 0;

@@ -4,8 +4,7 @@
 #include "terrain/grid/cell_window.h"
 #include "terrain/material/description_map.h"
 
-#include <cstdint>
-#include <vector>
+#include <memory>
 
 namespace scree::terrain {
 
@@ -41,10 +40,10 @@ public:
     /// The largest diffusion anywhere: what bounds the explicit step.
     double greatest_diffusion() const { return greatest_diffusion_; }
     /// The map that it was made from; empty ids for one soil everywhere.
-    const DescriptionMap& map() const { return map_; }
+    const DescriptionMap& map() const { return *map_; }
 
 private:
-    DescriptionMap map_;
+    std::shared_ptr<const DescriptionMap> map_;  // copies of a field share it
     double map_cells_per_grid_cell_ = 1.0;
     double greatest_diffusion_ = 0.0;
 };

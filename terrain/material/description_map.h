@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,8 @@ struct Material {
     MaterialTextures textures;
     bool gravel = false;  ///< Loose rocks: near the viewer their meshes are shown.
     HatShape hat;
+    /// sRGB, in painted pictures and in views; none: material_colour() takes one by the id.
+    std::optional<glm::u8vec3> colour;
 
     bool operator==(const Material&) const = default;
 };

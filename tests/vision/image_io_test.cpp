@@ -70,6 +70,51 @@ TEST(ImageIo, HeightsCarryMetresThroughBothFormats) {
         EXPECT_NEAR(png.metres.data()[i], heights.metres.data()[i], 1e-6);
 }
 
+TEST(ImageIo, RgbaKeepsEveryValueUnderAnyAlpha) {
+    const test::TempDir dir;
+    for (const int bits : {8, 16}) {
+        const int high = (1 << bits) - 1;
+        RgbaImage picture{Raster<glm::u16vec4>(16, 9), bits};
+        for (int y = 0; y < 9; ++y)
+            for (int x = 0; x < 16; ++x)  // alpha from nothing to full over the same colours
+                picture.values(x, y) = {high - x, 7 * y, high / 3, x == 0 ? 0 : high * x / 15};
+        write_rgba_png(dir / "a.png", picture);
+        EXPECT_EQ(read_rgba(dir / "a.png"), picture) << bits;
+        EXPECT_THAT([&] { read_rgba(dir / "a.png", {.max_pixels = 100}); },
+                    testing::ThrowsMessage<InvalidInput>(testing::HasSubstr("16 x 9")));
+    }
+    write_png(dir / "rgb.png", gradient(4, 4));
+    EXPECT_THAT([&] { read_rgba(dir / "rgb.png"); },
+                testing::ThrowsMessage<InvalidInput>(testing::HasSubstr("3 channels of uint8")));
+}
+
+TEST(ImageIo, PlanesKeepNamesAndBits) {
+    const test::TempDir dir;
+    std::vector<NamedPlane> planes{{"depth", FloatRaster(5, 3, 0.1F)}, {"A", FloatRaster(5, 3)}};
+    planes[0].values(4, 2) = 1e-30F;
+    planes[1].values(1, 1) = -3.0F;
+    write_planes_exr(dir / "p.exr", planes);
+    const auto again = read_planes(dir / "p.exr");
+    ASSERT_EQ(again.size(), 2U);
+    for (const NamedPlane& plane : again)
+        EXPECT_EQ(plane.values, planes[plane.name == "A" ? 1 : 0].values) << plane.name;
+    const std::string bytes = read_whole_file(dir / "p.exr", 100'000);
+    write_planes_exr(dir / "p.exr", planes);
+    EXPECT_EQ(read_whole_file(dir / "p.exr", 100'000), bytes);
+    planes[1].values = FloatRaster(4, 3);
+    EXPECT_THROW(write_planes_exr(dir / "q.exr", planes), InvalidInput);
+    write_png(dir / "rgb.png", gradient(4, 4));
+    EXPECT_THROW(read_planes(dir / "rgb.png"), InvalidInput);
+}
+
+TEST(ImageIo, HeightsSayWhetherTheyAreMetres) {
+    const test::TempDir dir;
+    write_heights_png(dir / "h.png", {FloatRaster(8, 6), 0.0025});
+    write_png(dir / "grey.png", Raster<std::uint8_t>(8, 6));
+    EXPECT_TRUE(read_heights(dir / "h.png").in_metres);
+    EXPECT_FALSE(read_heights(dir / "grey.png").in_metres);
+}
+
 TEST(ImageIo, PixelLimitIsCheckedFirst) {
     const test::TempDir dir;
     write_png(dir / "a.png", gradient(31, 17));

@@ -1,0 +1,32 @@
+#include "apps/commands.h"
+#include "apps/common_options.h"
+#include "apps/render_job.h"
+#include "base/parallel.h"
+
+#include <iostream>
+
+namespace scree::apps {
+
+void run_render(Arguments& arguments) {
+    RenderJob job;
+    CommonOptions common;
+    arguments.positional("HEIGHTS", job.heights, "height map of the ground: EXR in metres, or PNG");
+    arguments.path({"output", 'o', "FILE.png", "the picture", true}, job.output);
+    arguments.path({"ddh", 0, "DDH.exr", "displacements over the ground, metres", false},
+                   job.displacement);
+    arguments.path({"map", 0, "DIR", "materials.json of a description map, or its folder", false},
+                   job.map);
+    arguments.options(job.options);
+    arguments.options(job.view);
+    arguments.flag("software", job.software, {.help = "draw on the processor"});
+    arguments.options(common, {"threads", "quiet"});
+    arguments.parse();
+
+    const ThreadLimit limit(common.threads);
+    const std::string device = run_render_job(job);
+    if (!common.quiet)
+        std::cout << job.output.string() << ": " << job.view.width << " x " << job.view.height
+                  << " px, drawn by " << device << '\n';
+}
+
+}  // namespace scree::apps

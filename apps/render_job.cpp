@@ -1,0 +1,88 @@
+#include "apps/render_job.h"
+
+#include "base/whole_file.h"
+#include "terrain/material/map_files.h"
+#include "vision/image_io.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace scree::apps {
+namespace {
+
+using terrain::Heightfield;
+
+Heightfield read_ground(const RenderJob& job) {
+    vision::HeightImage image = vision::read_heights(job.heights);
+    if (!image.in_metres && !(job.options.height_m > 0.0))
+        fail<InvalidInput>(job.heights.string(),
+                           " does not say its heights in metres; give that of white with "
+                           "--height-m");
+    if (job.options.height_m > 0.0) {
+        if (image.in_metres)
+            fail<InvalidInput>(job.heights.string(),
+                               " says its heights in metres; leave --height-m out");
+        for (float& height : image.metres)
+            height *= static_cast<float>(job.options.height_m);
+    }
+    const double cell = job.options.width_m > 0.0
+                            ? job.options.width_m / std::max(1, image.metres.width())
+                            : image.metres_per_pixel;
+    if (!(cell > 0.0))
+        fail<InvalidInput>(job.heights.string(), " does not say its scale; give it with --width-m");
+    Heightfield ground{std::move(image.metres), cell};
+    terrain::check_heightfield(ground);
+    return ground;
+}
+
+FloatRaster read_displacement_of(const RenderJob& job, const Heightfield& ground) {
+    if (job.displacement.empty())
+        return {};
+    vision::HeightImage image = vision::read_heights(job.displacement);
+    if (!image.in_metres)
+        fail<InvalidInput>(job.displacement.string(),
+                           " does not say its heights in metres; write them as float EXR");
+    if (image.metres.width() != ground.heights.width() ||
+        image.metres.height() != ground.heights.height())
+        fail<InvalidInput>(job.displacement.string(), " has ", image.metres.width(), " x ",
+                           image.metres.height(), " cells, ", job.heights.string(), " has ",
+                           ground.heights.width(), " x ", ground.heights.height());
+    return std::move(image.metres);
+}
+
+terrain::TerrainFrame frame_of(const RenderJob& job, const Heightfield& ground) {
+    terrain::TerrainFrame frame;
+    frame.camera = terrain::camera_over(ground, job.options.azimuth, job.options.elevation,
+                                        static_cast<double>(job.view.width) / job.view.height);
+    frame.camera.eye = frame.camera.target + (frame.camera.eye - frame.camera.target) /
+                                                 static_cast<float>(job.options.zoom);
+    frame.light.azimuth_deg = job.options.light_azimuth;
+    frame.light.elevation_deg = job.options.light_elevation;
+    return frame;
+}
+
+}  // namespace
+
+std::string run_render_job(const RenderJob& job) {
+    const Heightfield ground = read_ground(job);
+    const FloatRaster displacement = read_displacement_of(job, ground);
+    terrain::DescriptionMap map;
+    terrain::TerrainGround shown;
+    shown.base = &ground;
+    if (!job.map.empty()) {
+        map = terrain::read_description_map(job.map);
+        shown.map = &map;
+        shown.looks = terrain::load_looks(map);
+    }
+    const auto context = terrain::GlContext::make({.software = job.software});
+    terrain::TerrainView view(*context, shown, job.view);
+    terrain::TerrainFrame frame = frame_of(job, ground);
+    if (!displacement.empty())
+        frame.displacement = &displacement;
+    OutputBatch batch;
+    vision::write_png(batch.stage(job.output), view.draw(frame, job.options.view));
+    batch.commit();
+    return context->device();
+}
+
+}  // namespace scree::apps

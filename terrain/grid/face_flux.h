@@ -1,0 +1,82 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+// The arithmetic of the sound scheme on one cell or one face between two cells, in float. The
+// plain step and the tiled one both call it, and the compiler vectorises loops over it.
+namespace scree::terrain {
+
+/// A multiple of `quantum`, a power of two, that is not above `amount` and less than two quanta
+/// below; 0 for negative amounts.
+///
+/// Every volume that changes cells is such a multiple, so displacements are too, and sums of them
+/// are exact in float as long as they stay below 2^24 quanta: what one cell loses another gains to
+/// the last bit, in any order of summation. Rounding down keeps the maximum principle. From 2^23
+/// quanta on the result is only near `amount`.
+inline float quantised(float amount, float quantum) {
+    const float shift = quantum * 8388608.0F;  // 2^23: floats from here on are quanta apart
+    return std::max(amount + (shift - 0.5F * quantum), shift) - shift;
+}
+
+/// Arc tangent of the square root of z in [0, 1], over that root; to 1.4e-7 rad.
+inline float arctangent_series(float z) {
+    float sum = -0.00455979199F;  // interpolates at the Chebyshev nodes of [0, 1]
+    sum = sum * z + 0.0237805186F;
+    sum = sum * z - 0.0588297531F;
+    sum = sum * z + 0.0986886546F;
+    sum = sum * z - 0.140032902F;
+    sum = sum * z + 0.199669618F;
+    sum = sum * z - 0.333318127F;
+    return sum * z + 0.999999882F;
+}
+
+/// Arc tangent without branches or calls, so that loops over it vectorise.
+/// @pre  tangent >= 0.
+inline float arctangent(float tangent) {
+    const bool steep = tangent > 1.0F;
+    const float x = steep ? 1.0F / tangent : tangent;
+    const float angle = arctangent_series(x * x) * x;
+    return steep ? 1.57079633F - angle : angle;
+}
+
+/// D of a face (`rocks-and-deformer.md` C.8): the harmonic mean; 0 if either is 0.
+inline float face_diffusion(float a, float b) {
+    const float sum = a + b;
+    return sum > 0.0F ? 2.0F * a * b / sum : 0.0F;
+}
+
+/// Slide through a face by the slope in excess of repose (C.8, `Excess`), metres of height,
+/// unsigned; negative where the slope holds.
+/// @param difference       Height difference across the face.
+/// @param base_difference  That of the base, if its own steepness holds (C.7); else 0.
+/// @param threshold        tan(repose) of the higher cell times the cell size.
+/// @param diffusion        Of the face, times the time step.
+inline float excess_slide(float difference, float base_difference, float threshold,
+                          float diffusion) {
+    const float holds = std::max(threshold, std::fabs(base_difference));
+    return (std::fabs(difference) - holds) * diffusion;
+}
+
+/// Slide through a face by the slope, weighted by its angle above repose (4.4 on faces, C.8
+/// `Weight`; with `gain` 4 `Gain`), metres of height, unsigned.
+/// @param repose         Of the higher cell, radians.
+/// @param per_cell_size  1 / cell size.
+inline float weighted_slide(float difference, float base_difference, float repose, float diffusion,
+                            float per_cell_size, float gain) {
+    const float size = std::fabs(difference);
+    const float angle = arctangent(size * per_cell_size);
+    const float holds = std::max(repose, arctangent(std::fabs(base_difference) * per_cell_size));
+    const float room = std::max(1.57079633F - holds, 1e-6F);
+    const float weight = std::min(std::max(gain * (angle - holds) / room, 0.0F), 1.0F);
+    return diffusion * (weight * size);
+}
+
+/// Share of what the load would push out of a cell that the limiter lets go (C.9).
+/// @param room     Soil between the cell's height and the underside of the load, metres.
+/// @param outflow  Sum of the unlimited outgoing pushes, metres.
+inline float limited_share(float room, float outflow) {
+    return outflow > room ? room / outflow : 1.0F;
+}
+
+}  // namespace scree::terrain

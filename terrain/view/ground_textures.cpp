@@ -1,0 +1,283 @@
+#include "terrain/view/ground_textures.h"
+
+#include "terrain/view/look_layers.h"
+#include "terrain/view/view_shaders.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <epoxy/gl.h>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+namespace scree::terrain {
+namespace {
+
+CellWindow united(const CellWindow& a, const CellWindow& b) {
+    if (a.empty() || b.empty())
+        return a.empty() ? b : a;
+    const int x = std::min(a.x, b.x);
+    const int y = std::min(a.y, b.y);
+    return {x, y, std::max(a.x + a.width, b.x + b.width) - x,
+            std::max(a.y + a.height, b.y + b.height) - y};
+}
+
+CellWindow shown_window(const GlContext& context, const TerrainGround& ground) {
+    if (ground.base == nullptr)
+        fail<InvalidInput>("the ground has no heights");
+    check_heightfield(*ground.base);
+    const CellWindow all{0, 0, ground.base->heights.width(), ground.base->heights.height()};
+    const CellWindow window = ground.window.empty() ? all : intersection(all, ground.window);
+    if (window.width < 2 || window.height < 2)
+        fail<InvalidInput>("the window to show has ", window.width, " x ", window.height,
+                           " cells of the ground, at least 2 x 2 are needed");
+    const int limit = context.max_texture_size();
+    if (window.width > limit || window.height > limit)
+        fail<InvalidInput>("the window to show has ", window.width, " x ", window.height,
+                           " cells, ", context.device(), " draws at most ", limit, " x ", limit,
+                           ": show a smaller window");
+    return window;
+}
+
+void clamp_to_edge(const GlTexture& texture, GLint filter) {
+    glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, filter);
+    glTextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, filter);
+    glTextureParameteri(texture.id(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTextureParameteri(texture.id(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+GlTexture plane(int width, int height, GLenum format, GLint filter) {
+    GlTexture texture(GL_TEXTURE_2D);
+    glTextureStorage2D(texture.id(), 1, format, width, height);
+    clamp_to_edge(texture, filter);
+    return texture;
+}
+
+GlTexture repeating_layers(const std::vector<std::uint8_t>& bytes, int side, int n_layers,
+                           GLenum format) {
+    int n_levels = 1;
+    while ((side >> n_levels) > 0)
+        ++n_levels;
+    GlTexture texture(GL_TEXTURE_2D_ARRAY);
+    glTextureStorage3D(texture.id(), n_levels, format, side, side, n_layers);
+    glTextureSubImage3D(texture.id(), 0, 0, 0, 0, side, side, n_layers, GL_RGBA, GL_UNSIGNED_BYTE,
+                        bytes.data());
+    glGenerateTextureMipmap(texture.id());
+    glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTextureParameteri(texture.id(), GL_TEXTURE_WRAP_S, GL_REPEAT);
+    glTextureParameteri(texture.id(), GL_TEXTURE_WRAP_T, GL_REPEAT);
+    return texture;
+}
+
+// The place of every id's material in the table.
+Raster<std::uint8_t> layers_of(const DescriptionMap& map) {
+    std::array<int, 256> place{};
+    place.fill(-1);
+    for (std::size_t i = 0; i < map.materials.size(); ++i) {
+        const int id = map.materials[i].id;
+        if (id < 0 || id > 255)
+            fail<InvalidInput>("material ", map.materials[i].name, " has id ", id,
+                               ", it must be in [0, 255]");
+        place[static_cast<std::size_t>(id)] = static_cast<int>(i);
+    }
+    Raster<std::uint8_t> layers(map.ids.width(), map.ids.height());
+    for (int y = 0; y < layers.height(); ++y)
+        for (int x = 0; x < layers.width(); ++x) {
+            const int at = place[map.ids(x, y)];
+            if (at < 0)
+                fail<InvalidInput>("map cell (", x, ", ", y, ") has id ", int{map.ids(x, y)},
+                                   ", no material has it");
+            layers(x, y) = static_cast<std::uint8_t>(at);
+        }
+    return layers;
+}
+
+}  // namespace
+
+GroundTextures::GroundTextures(const GlContext& context, const TerrainGround& ground)
+    : window_(shown_window(context, ground)),
+      cell_size_(static_cast<float>(ground.base->cell_size)),
+      origin_(glm::dvec2(window_.x, window_.y) * ground.base->cell_size),
+      size_(glm::dvec2(window_.width, window_.height) * ground.base->cell_size),
+      surface_program_("the ground's slopes", {{ShaderStage::Compute, surface_compute_glsl()}}),
+      sun_program_("the ground's sunlight", {{ShaderStage::Compute, sun_compute_glsl()}}) {
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    load_heights(*ground.base);
+    load_map(context, ground);
+    load_looks(context, ground);
+    dirty_ = {0, 0, window_.width, window_.height};
+    check_gl("loading the ground");
+}
+
+void GroundTextures::load_heights(const Heightfield& base) {
+    base_ = plane(window_.width, window_.height, GL_R32F, GL_LINEAR);
+    moved_ = plane(window_.width, window_.height, GL_R32F, GL_LINEAR);
+    surface_ = plane(window_.width, window_.height, GL_RGBA16F, GL_LINEAR);
+    sun_reach_ = plane(window_.width, window_.height, GL_R8, GL_LINEAR);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, base.heights.width());
+    glTextureSubImage2D(base_.id(), 0, 0, 0, window_.width, window_.height, GL_RED, GL_FLOAT,
+                        base.heights.row(window_.y) + window_.x);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+    const float zero = 0.0F;
+    glClearTexImage(moved_.id(), 0, GL_RED, GL_FLOAT, &zero);
+    base_lowest_ = base_highest_ = base.heights(window_.x, window_.y);
+    for (int y = 0; y < window_.height; ++y) {
+        const float* row = base.heights.row(window_.y + y) + window_.x;
+        const auto [low, high] = std::minmax_element(row, row + window_.width);
+        base_lowest_ = std::min(base_lowest_, *low);
+        base_highest_ = std::max(base_highest_, *high);
+    }
+    lowest_ = base_lowest_;
+    highest_ = base_highest_;
+}
+
+void GroundTextures::load_map(const GlContext& context, const TerrainGround& ground) {
+    Raster<std::uint8_t> ids(1, 1, 0);
+    if (ground.map != nullptr && !ground.map->ids.empty()) {
+        if (!(ground.map->cell_size > 0.0))
+            fail<InvalidInput>("the description map's cell size is ", ground.map->cell_size,
+                               " m, it must be positive");
+        ids = layers_of(*ground.map);
+        map_cells_per_m_ = static_cast<float>(1.0 / ground.map->cell_size);
+    }
+    const int limit = context.max_texture_size();
+    if (ids.width() > limit || ids.height() > limit)
+        fail<InvalidInput>("the description map has ", ids.width(), " x ", ids.height(), " cells, ",
+                           context.device(), " holds at most ", limit, " x ", limit);
+    map_width_ = ids.width();
+    map_height_ = ids.height();
+    layers_ = plane(map_width_, map_height_, GL_R8UI, GL_NEAREST);
+    glTextureSubImage2D(layers_.id(), 0, 0, 0, map_width_, map_height_, GL_RED_INTEGER,
+                        GL_UNSIGNED_BYTE, ids.data());
+}
+
+void GroundTextures::load_looks(const GlContext& context, const TerrainGround& ground) {
+    std::vector<MaterialLook> plain;
+    const std::size_t n_wanted =
+        ground.map != nullptr ? std::max<std::size_t>(1, ground.map->materials.size()) : 1;
+    if (ground.looks.empty())
+        plain = ground.map != nullptr ? plain_looks(*ground.map) : std::vector<MaterialLook>(1);
+    const std::vector<MaterialLook>& looks = ground.looks.empty() ? plain : ground.looks;
+    if (looks.size() < n_wanted)
+        fail<InvalidInput>("there are ", looks.size(), " looks for ", n_wanted, " materials");
+    if (looks.size() > static_cast<std::size_t>(context.max_texture_layers()))
+        fail<InvalidInput>("there are ", looks.size(), " looks, ", context.device(),
+                           " holds at most ", context.max_texture_layers());
+    const LookLayers layers = make_look_layers(looks);
+    const int n = static_cast<int>(looks.size());
+    side_ = layers.side;
+    albedo_ = repeating_layers(layers.albedo, side_, n, GL_SRGB8_ALPHA8);
+    detail_ = repeating_layers(layers.detail, side_, n, GL_RGBA8);
+    looks_ = GlBuffer(0U);
+    glNamedBufferStorage(looks_.id(),
+                         static_cast<GLsizeiptr>(layers.records.size() * sizeof(LookRecord)),
+                         layers.records.data(), 0);
+    glm::vec3 sum(0.0F);
+    for (const LookRecord& record : layers.records) {
+        detail_reach_ = std::max(detail_reach_, 0.5F * record.measure.y);
+        sum += glm::vec3(record.colour);
+    }
+    mean_colour_ = sum / static_cast<float>(n);
+}
+
+void GroundTextures::update(const FloatRaster& displacement, const CellWindow& changed) {
+    const CellWindow cells = changed.empty() ? window_ : changed;
+    if (displacement.width() != cells.width || displacement.height() != cells.height)
+        fail<InvalidInput>("the displacement has ", displacement.width(), " x ",
+                           displacement.height(), " cells, its window ", cells.width, " x ",
+                           cells.height);
+    const CellWindow shown = intersection(cells, window_);
+    if (shown.empty())
+        return;
+    for (int y = shown.y; y < shown.y + shown.height; ++y) {
+        const float* row = displacement.row(y - cells.y) + (shown.x - cells.x);
+        for (int x = 0; x < shown.width; ++x)
+            if (!std::isfinite(row[x]))
+                fail<InvalidInput>("the displacement of cell (", shown.x + x, ", ", y,
+                                   ") is no finite number");
+        const auto [low, high] = std::minmax_element(row, row + shown.width);
+        lowest_ = std::min(lowest_, base_lowest_ + *low);
+        highest_ = std::max(highest_, base_highest_ + *high);
+    }
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, cells.width);
+    glTextureSubImage2D(moved_.id(), 0, shown.x - window_.x, shown.y - window_.y, shown.width,
+                        shown.height, GL_RED, GL_FLOAT,
+                        displacement.row(shown.y - cells.y) + (shown.x - cells.x));
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+    dirty_ = united(dirty_, {shown.x - window_.x, shown.y - window_.y, shown.width, shown.height});
+}
+
+void GroundTextures::run(const ShaderProgram& program, const GlTexture& out, unsigned format,
+                         const CellWindow& cells) const {
+    program.set("window_origin", glm::ivec2(cells.x, cells.y));
+    program.set("window_size", glm::ivec2(cells.width, cells.height));
+    program.set("cell_size", cell_size_);
+    program.use();
+    glBindImageTexture(0, out.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, format);
+    glDispatchCompute(static_cast<GLuint>((cells.width + 15) / 16),
+                      static_cast<GLuint>((cells.height + 15) / 16), 1);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+void GroundTextures::finish(const glm::vec3& sun_direction) {
+    const CellWindow all{0, 0, window_.width, window_.height};
+    const bool new_sun = sun_direction != sun_;
+    if (dirty_.empty() && !new_sun)
+        return;
+    glBindTextureUnit(kBaseUnit, base_.id());
+    glBindTextureUnit(kMovedUnit, moved_.id());
+    constexpr int kSkyReach = 20;  // cells that open_sky() looks away
+    if (!dirty_.empty())
+        run(surface_program_, surface_, GL_RGBA16F,
+            intersection(all, {dirty_.x - kSkyReach, dirty_.y - kSkyReach,
+                               dirty_.width + 2 * kSkyReach, dirty_.height + 2 * kSkyReach}));
+    // A shadow of the changed cells falls away from the sun, no farther than their height allows.
+    const float flat = std::max(glm::length(glm::vec2(sun_direction.x, sun_direction.z)), 1e-6F);
+    const float longest = (highest_ - lowest_) * flat / std::max(sun_direction.y, 1e-3F);
+    const int reach = static_cast<int>(std::min(longest / cell_size_,
+                                                static_cast<float>(all.width + all.height))) +
+                      2;
+    sun_program_.set("sun_direction", sun_direction);
+    sun_program_.set("highest", highest_);
+    run(sun_program_, sun_reach_, GL_R8,
+        new_sun ? all
+                : intersection(all, {dirty_.x - reach, dirty_.y - reach, dirty_.width + 2 * reach,
+                                     dirty_.height + 2 * reach}));
+    sun_ = sun_direction;
+    dirty_ = {};
+}
+
+float GroundTextures::base_height(float x, float z) const {
+    const auto cell = [&](float at, float origin, int count) {
+        return static_cast<int>(
+            std::clamp((at - origin) / cell_size_, 0.0F, static_cast<float>(count - 1)));
+    };
+    float height = 0.0F;
+    glGetTextureSubImage(base_.id(), 0, cell(x, origin_.x, window_.width),
+                         cell(z, origin_.y, window_.height), 0, 1, 1, 1, GL_RED, GL_FLOAT,
+                         sizeof height, &height);
+    return height;
+}
+
+void GroundTextures::bind() const {
+    const std::array<const GlTexture*, 7> units{&base_,   &moved_,  &surface_, &sun_reach_,
+                                                &layers_, &albedo_, &detail_};
+    for (std::size_t i = 0; i < units.size(); ++i)
+        glBindTextureUnit(static_cast<GLuint>(i), units[i]->id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, looks_.id());
+}
+
+void GroundTextures::set_uniforms(const ShaderProgram& program) const {
+    program.set("ground_origin", origin_);
+    program.set("per_ground_size", 1.0F / size_);
+    program.set("cell_size", cell_size_);
+    program.set("map_cells_per_m", map_cells_per_m_);
+    program.set("map_size", glm::ivec2(map_width_, map_height_));
+    program.set("detail_texels", static_cast<float>(side_));
+    program.set("patch_size", 0.13F * std::max(size_.x, size_.y));
+}
+
+}  // namespace scree::terrain

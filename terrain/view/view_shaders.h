@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+
+namespace scree::terrain {
+
+// The GLSL of the view, stage by stage. Uniform names and texture units stand in view_shaders.cpp
+// and ground_shaders.cpp beside their use.
+
+/// Texture units, the same in every program of the view.
+enum ViewUnit {
+    kBaseUnit = 0,     ///< Base heights, R32F.
+    kMovedUnit = 1,    ///< Displacements, R32F.
+    kSurfaceUnit = 2,  ///< Slopes x and z, share of the dynamic normal, open sky: RGBA16F.
+    kSunUnit = 3,      ///< Sunlight that reaches a cell past the ground, R8.
+    kLayerUnit = 4,    ///< Look of a map cell, R8UI.
+    kAlbedoUnit = 5,   ///< sRGB array.
+    kDetailUnit = 6,   ///< Slopes x and z, height, open sky: RGBA8 array.
+    kUnderUnit = 9,    ///< Undersides of the objects.
+    kDepthUnit = 8,    ///< Depth of the ground in the picture.
+    kShadowUnit = 7,   ///< Depth of the objects from the sun.
+};
+
+std::string ground_vertex_glsl();
+std::string ground_control_glsl();
+std::string ground_evaluation_glsl();
+std::string ground_fragment_glsl();  ///< From the depth of the picture, sky included.
+
+std::string surface_compute_glsl();  ///< Slopes and open sky of a window of cells.
+std::string sun_compute_glsl();      ///< Sunlight of a window of cells.
+
+std::string wall_vertex_glsl();  ///< The sides of the ground.
+std::string wall_fragment_glsl();
+std::string object_vertex_glsl();
+std::string object_fragment_glsl();
+std::string shadow_vertex_glsl();  ///< Objects seen from the sun.
+std::string shadow_fragment_glsl();
+std::string screen_vertex_glsl();     ///< One triangle over the whole picture.
+std::string resolve_fragment_glsl();  ///< Samples to pixels.
+std::string line_fragment_glsl();     ///< Edges of the wire view.
+
+}  // namespace scree::terrain

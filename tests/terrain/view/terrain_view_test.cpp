@@ -1,0 +1,201 @@
+#include "terrain/view/terrain_view.h"
+
+#include "tests/support/golden.h"
+#include "tests/support/temp_dir.h"
+#include "tests/terrain/gpu/gl_fixture.h"
+#include "tests/terrain/view/sample_ground.h"
+#include "vision/image_io.h"
+
+#include <cmath>
+#include <limits>
+
+#include <glm/ext/matrix_transform.hpp>
+#include <gmock/gmock.h>
+
+namespace scree::terrain {
+namespace {
+
+constexpr TerrainViewOptions kSmall{.width = 240, .height = 150, .shadow_size = 512};
+
+// Share of the pixels that differ by more than the threshold, of 255.
+double share_of_difference(const Photo& a, const Photo& b, int threshold) {
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        for (int c = 0; c < 3; ++c)
+            if (std::abs(int{a.data()[i][c]} - int{b.data()[i][c]}) > threshold) {
+                ++different;
+                break;
+            }
+    return static_cast<double>(different) / static_cast<double>(a.size());
+}
+
+double mean_light(const Photo& picture) {
+    double sum = 0.0;
+    for (const auto& c : picture)
+        sum += c.x + c.y + c.z;
+    return sum / (3.0 * static_cast<double>(picture.size()));
+}
+
+class TerrainViews : public test::GlTest {
+protected:
+    Heightfield base_ = test::rolling_ground(128);
+    DescriptionMap map_ = test::three_strips(4.0, 64);
+    FloatRaster groove_ = test::groove(base_);
+    meshing::TriMesh ball_ = test::sphere(12);
+
+    TerrainGround ground(int look_side = 128) {
+        return {&base_, &map_, test::strip_looks(look_side), {}};
+    }
+    TerrainFrame frame() {
+        TerrainFrame frame;
+        frame.camera = camera_over(base_, 20.0, 38.0, 1.6);
+        return frame;
+    }
+    TerrainObject ball() {
+        const glm::mat4 place = glm::translate(glm::mat4(1.0F), {3.4F, 0.12F, 2.0F});
+        return {&ball_, glm::scale(place, glm::vec3(0.2F)), {0.5F, 0.5F, 0.52F}, 0.6F};
+    }
+};
+
+TEST_F(TerrainViews, LookLikeTheKeptPictures) {
+    const scree::test::TempDir folder;
+    TerrainView view(context(), ground(), kSmall);
+    TerrainFrame shown = frame();
+    shown.displacement = &groove_;
+    shown.objects.push_back(ball());
+    // Compilers of shaders may order sums differently; edges of stones then move by a sample.
+    const scree::test::Tolerance tolerance{.fail = 0.05, .fail_percent = 0.5, .hard_fail = 0.6};
+    for (const ViewMode mode :
+         {ViewMode::Textured, ViewMode::Wire, ViewMode::Height, ViewMode::Material}) {
+        const std::string name =
+            "terrain_" + std::string(kViewModeNames[static_cast<std::size_t>(mode)]) + ".png";
+        vision::write_png(folder.path() / name, view.draw(shown, mode));
+        EXPECT_TRUE(scree::test::matches_golden(folder.path() / name, name, tolerance));
+    }
+}
+
+TEST_F(TerrainViews, GiveTheSamePictureTwiceAndInAnotherView) {
+    TerrainFrame shown = frame();
+    shown.displacement = &groove_;
+    shown.objects.push_back(ball());
+    TerrainView view(context(), ground(), kSmall);
+    const Photo first = view.draw(shown);
+    EXPECT_EQ(first, view.draw(shown));
+    shown.displacement = nullptr;  // resident now
+    EXPECT_EQ(first, view.draw(shown));
+    TerrainView other(context(), ground(), kSmall);
+    shown.displacement = &groove_;
+    EXPECT_EQ(first, other.draw(shown));
+}
+
+TEST_F(TerrainViews, UpdatesByWindowsEqualOneOfTheWhole) {
+    TerrainView whole(context(), ground(), kSmall);
+    TerrainFrame shown = frame();
+    shown.displacement = &groove_;
+    const Photo wanted = whole.draw(shown);
+
+    TerrainView parts(context(), ground(), kSmall);
+    for (const CellWindow& window :
+         {CellWindow{0, 0, 50, 128}, CellWindow{50, 0, 78, 70}, CellWindow{50, 70, 78, 58}}) {
+        FloatRaster part(window.width, window.height);
+        for (int y = 0; y < window.height; ++y)
+            for (int x = 0; x < window.width; ++x)
+                part(x, y) = groove_(window.x + x, window.y + y);
+        shown.displacement = &part;
+        shown.changed = window;
+        parts.draw(shown);
+    }
+    shown.displacement = nullptr;
+    EXPECT_LE(share_of_difference(wanted, parts.draw(shown), 0), 0.0);
+}
+
+TEST_F(TerrainViews, DisplacementObjectsAndLightAllShow) {
+    TerrainView view(context(), ground(), kSmall);
+    const Photo flat = view.draw(frame());
+    TerrainFrame with_ball = frame();
+    with_ball.objects.push_back(ball());
+    EXPECT_GT(share_of_difference(flat, view.draw(with_ball), 20), 0.005);
+    TerrainFrame dark = frame();
+    dark.light.strength = 0.0;
+    EXPECT_LT(mean_light(view.draw(dark)), 0.98 * mean_light(flat));
+    TerrainFrame grooved = frame();
+    grooved.displacement = &groove_;
+    EXPECT_GT(share_of_difference(flat, view.draw(grooved), 20), 0.02);
+}
+
+TEST_F(TerrainViews, BeyondTheFarRangeNormalsAloneShowTheGroove) {
+    TerrainViewOptions options = kSmall;
+    options.far_m = 0.01;
+    TerrainView view(context(), ground(), options);
+    TerrainFrame shown = frame();
+    const Photo flat = view.draw(shown);
+    shown.displacement = &groove_;
+    const Photo grooved = view.draw(shown);
+    EXPECT_GT(share_of_difference(flat, grooved, 10), 0.02);  // the light tells
+    // The outline does not: sky stays sky.
+    for (int x = 0; x < flat.width(); ++x)
+        EXPECT_EQ(flat(x, 0), grooved(x, 0));
+}
+
+// Without light the ground is black and what shines through it is the backdrop.
+TEST_F(TerrainViews, HaveNoCracks) {
+    for (const double tessellation : {1.0, 5.0, 40.0}) {
+        TerrainView view(context(), ground(),
+                         {.width = 320,
+                          .height = 200,
+                          .supersampling = 4,
+                          .lattice = 20,
+                          .tessellation = tessellation,
+                          .refine_radius_m = 0.8,
+                          .shadow_size = 64});
+        TerrainFrame shown = frame();
+        shown.displacement = &groove_;
+        shown.light.strength = 0.0;
+        shown.light.sky = 0.0;
+        shown.camera.target = {2.0F, 0.0F, 2.2F};
+        shown.camera.eye = {2.3F, 2.2F, 2.9F};
+        std::size_t n_holes = 0;
+        for (const auto& pixel : view.draw(shown))
+            n_holes += pixel.x > 0 || pixel.y > 0 || pixel.z > 0 ? 1 : 0;
+        EXPECT_EQ(n_holes, 0U) << "tessellation " << tessellation;
+    }
+}
+
+TEST_F(TerrainViews, AWindowShowsItsPartOfTheGround) {
+    TerrainGround part = ground();
+    part.window = {40, 30, 50, 60};
+    TerrainView view(context(), part, kSmall);
+    TerrainFrame shown;
+    shown.camera = camera_over(base_, 0.0, 60.0, 1.6, part.window);
+    shown.displacement = &groove_;
+    shown.changed = {0, 0, 128, 128};  // clipped to the window
+    const Photo picture = view.draw(shown, ViewMode::Height);
+    const Photo middle(1, 1, picture(120, 75));
+    EXPECT_NE(picture(2, 2), middle(0, 0));
+}
+
+TEST_F(TerrainViews, ErrorsNameTheValue) {
+    EXPECT_THROW(TerrainView(context(), {}, kSmall), InvalidInput);
+    EXPECT_THROW(TerrainView(context(), ground(), {.width = 3}), InvalidOption);
+    map_.ids(5, 6) = 77;
+    EXPECT_THAT([&] { TerrainView(context(), ground(16), kSmall); },
+                testing::ThrowsMessage<InvalidInput>(
+                    testing::HasSubstr("map cell (5, 6) has id 77, no material has it")));
+    map_.ids(5, 6) = 1;
+    TerrainView view(context(), ground(16), kSmall);
+    TerrainFrame wrong = frame();
+    const FloatRaster small(3, 3);
+    wrong.displacement = &small;
+    EXPECT_THAT([&] { view.draw(wrong); },
+                testing::ThrowsMessage<InvalidInput>(testing::HasSubstr("3 x 3 cells")));
+    groove_(9, 8) = std::numeric_limits<float>::quiet_NaN();
+    wrong.displacement = &groove_;
+    EXPECT_THAT([&] { view.draw(wrong); },
+                testing::ThrowsMessage<InvalidInput>(testing::HasSubstr("cell (9, 8)")));
+    TerrainFrame lost = frame();
+    lost.objects.push_back({});
+    EXPECT_THROW(view.draw(lost), InvalidInput);
+}
+
+}  // namespace
+}  // namespace scree::terrain
