@@ -1,6 +1,7 @@
 #include "testdata/scene_light.h"
 
 #include "base/parallel.h"
+#include "testdata/blur.h"
 #include "testdata/lattice_noise.h"
 
 #include <algorithm>
@@ -9,18 +10,9 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <opencv2/imgproc.hpp>
 
 namespace scree::test {
 namespace {
-
-FloatRaster blurred(const FloatRaster& source, double sigma) {
-    FloatRaster result(source.width(), source.height());
-    const cv::Mat from(source.height(), source.width(), CV_32F, const_cast<float*>(source.data()));
-    cv::Mat to(result.height(), result.width(), CV_32F, result.data());
-    cv::GaussianBlur(from, to, cv::Size(), sigma, sigma, cv::BORDER_REPLICATE);
-    return result;
-}
 
 struct Scene {
     const Heap& heap;

@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "base/random.h"
+#include "testdata/blur.h"
 #include "testdata/lattice_noise.h"
 
 #include <algorithm>
@@ -11,7 +12,6 @@
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <opencv2/imgproc.hpp>
 
 namespace scree::test {
 namespace {
@@ -72,14 +72,6 @@ FloatRaster height_map(const std::vector<vision::Outline>& outlines, const Label
         }
     });
     return height;
-}
-
-FloatRaster blurred(const FloatRaster& source, double sigma) {
-    FloatRaster result(source.width(), source.height());
-    const cv::Mat from(source.height(), source.width(), CV_32F, const_cast<float*>(source.data()));
-    cv::Mat to(result.height(), result.width(), CV_32F, result.data());
-    cv::GaussianBlur(from, to, cv::Size(), sigma, sigma, cv::BORDER_REPLICATE);
-    return result;
 }
 
 double bounded(const FloatRaster& height, int x, int y) {

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "base/whole_file.h"
+#include "vision/data/rocks_json_format.h"
 
 #include <cmath>
 #include <limits>
@@ -15,41 +16,11 @@ namespace scree::vision {
 namespace {
 
 using nlohmann::json;
+using rocks_file::kFormat;
+using rocks_file::kLikenessVersion;
+using rocks_file::kPlainVersion;
 
-constexpr std::string_view kFormat = "scree-rocks";
-constexpr int kPlainVersion = 1;
-constexpr int kLikenessVersion = 2;          // the same and the likeness to gravel
 constexpr std::size_t kLongestReason = 160;  // the parser quotes what it read last, however long
-
-// ---- writing
-
-std::string quoted(const std::string& text) {  // bytes that are no UTF-8 become U+FFFD
-    return json(text).dump(-1, ' ', false, json::error_handler_t::replace);
-}
-
-void append_rock(std::string& text, const Rock& rock) {
-    text += R"({"centre":[)";
-    append_number(text, rock.outline.centre.x);
-    text += ',';
-    append_number(text, rock.outline.centre.y);
-    text += R"(],"depth":)";
-    append_number(text, rock.depth);
-    text += R"(,"confidence":)";
-    append_number(text, rock.outline.confidence);
-    text += R"(,"uncertainty":)";
-    append_number(text, rock.uncertainty);
-    text += R"(,"touches_border":)";
-    text += rock.outline.touches_border ? "true" : "false";
-    text += R"(,"radii":[)";
-    for (std::size_t k = 0; k < kRadii; ++k) {
-        if (k > 0)
-            text += ',';
-        append_number(text, rock.outline.radii[k]);
-    }
-    text += "]}";
-}
-
-// ---- reading
 
 enum class Place { Outside, Set, Rocks, Rock, Centre, Radii };
 enum class Kind { Text, Number, Flag, Null };
@@ -359,31 +330,6 @@ private:
 
 }  // namespace
 
-std::string rocks_to_json(const RockSet& set) {
-    check_rock_set(set, "the rocks to write", {.max_pixels = std::numeric_limits<double>::max()});
-    std::string text = "{\n\"format\":\"scree-rocks\",\n\"version\":";
-    text += std::to_string(set.likeness ? kLikenessVersion : kPlainVersion) + ",\n\"image\":";
-    text += quoted(set.image) + ",\n\"width\":" + std::to_string(set.width) +
-            ",\n\"height\":" + std::to_string(set.height) + ",\n\"metres_per_pixel\":";
-    if (set.metres_per_pixel > 0.0)
-        append_number(text, set.metres_per_pixel);
-    else
-        text += "null";
-    text += ",\n\"method\":" + quoted(set.method);
-    if (set.likeness) {
-        text += ",\n\"likeness\":";
-        append_number(text, *set.likeness);
-    }
-    text += ",\n\"rocks\":[";
-    text.reserve(text.size() + set.rocks.size() * 4096);
-    for (std::size_t i = 0; i < set.rocks.size(); ++i) {
-        text += i == 0 ? "\n" : ",\n";
-        append_rock(text, set.rocks[i]);
-    }
-    text += "\n]\n}\n";
-    return text;
-}
-
 RockSet rocks_from_json(std::string_view text, const std::string& source,
                         const RocksFileLimits& limits) {
     if (text.size() > limits.max_bytes)
@@ -391,10 +337,6 @@ RockSet rocks_from_json(std::string_view text, const std::string& source,
     Reader reader(source, limits);
     json::sax_parse(text, &reader);
     return reader.take();
-}
-
-void write_rocks_json(const std::filesystem::path& path, const RockSet& set) {
-    write_staged_file(path, rocks_to_json(set));
 }
 
 RockSet read_rocks_json(const std::filesystem::path& path, const RocksFileLimits& limits) {
