@@ -191,24 +191,44 @@ void write_baked(const DescribeJob& job, const DescriptionMap& map, Output& out,
     vision::write_heights_exr(out.stage("ground_height.exr"), baked.displacement);
 }
 
-// No command overwrites its input, nor a texture that its map names.
-void check_inputs_stay(const DescribeJob& job, const DescriptionMap& map, const Output& out) {
+// All files that were read, and the textures that the map names.
+std::vector<fs::path> inputs_of(const DescribeJob& job, const DescriptionMap& map) {
     std::vector<fs::path> inputs = {job.map,       job.painted, job.labels,  job.photo,
                                     job.rules,     job.heights, job.picture, job.id_file,
                                     job.materials, job.strokes};
     if (!job.map.empty() && fs::is_directory(job.map))
         inputs.push_back(job.map / "materials.json");
-    for (const terrain::Material& material : map.materials)
-        for (const fs::path& texture :
-             {material.textures.albedo, material.textures.displacement, material.textures.normal})
-            if (out.texture.empty())
+    if (job.labels.empty())  // else the texture is an output
+        for (const terrain::Material& material : map.materials)
+            for (const fs::path& texture :
+                 {material.textures.albedo, material.textures.displacement,
+                  material.textures.normal})
                 inputs.push_back(texture);
+    return inputs;
+}
+
+const fs::path* same_file(const std::vector<fs::path>& inputs, const fs::path& file) {
     std::error_code ignored;
+    for (const fs::path& input : inputs)
+        if (!input.empty() && fs::equivalent(input, file, ignored))
+            return &input;
+    return nullptr;
+}
+
+void check_inputs_stay(const std::vector<fs::path>& inputs, const Output& out) {
     for (const std::string& name : out.files)
-        for (const fs::path& input : inputs)
-            if (!input.empty() && fs::equivalent(input, out.folder / name, ignored))
-                fail<InvalidInput>("the output would overwrite ", input.string(),
-                                   "; write into another folder");
+        if (const fs::path* input = same_file(inputs, out.folder / name))
+            fail<InvalidInput>("the output would overwrite ", input->string(),
+                               "; write into another folder");
+}
+
+void remove_stale(const std::vector<fs::path>& inputs, const Output& out) {
+    std::error_code ignored;
+    for (const char* name : kAllFiles) {
+        const bool written = std::find(out.files.begin(), out.files.end(), name) != out.files.end();
+        if (!written && same_file(inputs, out.folder / name) == nullptr)
+            fs::remove(out.folder / name, ignored);
+    }
 }
 
 }  // namespace
@@ -229,14 +249,12 @@ DescribeReport run_describe_job(const DescribeJob& job, Progress* progress) {
     write_published(job, report, out);
     write_channels(job, report.map, out);
     write_baked(job, report.map, out, progress);
-    check_inputs_stay(job, report.map, out);
+    const std::vector<fs::path> inputs = inputs_of(job, report.map);
+    check_inputs_stay(inputs, out);
     stop_if_cancelled(progress, "writing");
     out.batch.commit();
     report.files = out.files;
-    std::error_code ignored;
-    for (const char* name : kAllFiles)
-        if (std::find(report.files.begin(), report.files.end(), name) == report.files.end())
-            fs::remove(job.folder / name, ignored);
+    remove_stale(inputs, out);
     return report;
 }
 

@@ -1,8 +1,8 @@
 #include "base/error.h"
 #include "base/whole_file.h"
+#include "terrain/json/strict_json.h"
 #include "terrain/material/map_check.h"
 #include "terrain/material/map_rules.h"
-#include "terrain/json/strict_json.h"
 #include "terrain/material/material_reference.h"
 
 namespace scree::terrain {

@@ -3,8 +3,8 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "base/whole_file.h"
-#include "terrain/material/map_check.h"
 #include "terrain/json/strict_json.h"
+#include "terrain/material/map_check.h"
 
 #include <algorithm>
 

@@ -178,15 +178,23 @@ TEST_F(Describe, BadInputIsRefusedBeforeAnythingIsWritten) {
                    "bake is 99999");
 }
 
-TEST_F(Describe, NeverOverwritesItsInput) {
-    const std::vector<std::string> words = {"--strokes", at("strokes.json"), "--materials",
-                                            at("table.json")};
+TEST_F(Describe, NeverOverwritesItsInputNorTakesItAway) {
+    const std::vector<std::string> words = {"--strokes",      at("strokes.json"), "--materials",
+                                            at("table.json"), "--export",         "rgba8"};
     ASSERT_EQ(describe(words, "one").status, 0);
     const auto before = test::files_below(at("one"));
     const auto run = describe({"--map", at("one")}, "one");
     EXPECT_EQ(run.status, 1);
     EXPECT_THAT(run.errors, HasSubstr("would overwrite"));
     EXPECT_EQ(test::files_below(at("one")), before);
+    fs::create_directories(at("two"));
+    for (const char* name : {"map_rgba.png", "map_ids.txt"})
+        fs::copy_file(at("one") / name, at("two") / name);
+    const auto import = describe(
+        {"--import", at("two") / "map_rgba.png", "--id-file", at("two") / "map_ids.txt"}, "two");
+    ASSERT_EQ(import.status, 0) << import.errors;
+    for (const char* name : {"map_rgba.png", "map_ids.txt"})
+        EXPECT_EQ(test::files_below(at("two")).at(name), before.at(name)) << name;
 }
 
 }  // namespace
