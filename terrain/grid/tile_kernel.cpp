@@ -13,7 +13,7 @@
 namespace scree::terrain {
 namespace {
 
-constexpr int kRowsAhead = 4;
+constexpr int kRowsAhead = 8;
 
 struct Arguments {
     const Patch& patch;
@@ -191,8 +191,12 @@ template <bool kWeighted, bool kPlanes, bool kLoad>
     std::memcpy(u, tiles[0] + at + kTileWidth - kHalo, kHalo * sizeof(float));
     std::memcpy(u + kHalo, tiles[1] + at, kTileWidth * sizeof(float));
     std::memcpy(u + kHalo + kTileWidth, tiles[2] + at, kHalo * sizeof(float));
-    if (band == 1 && tile_row + kRowsAhead < kTileHeight)
-        fetch_row(tiles[1] + at + kRowsAhead * kTileWidth, kTileWidth);
+    if (band != 1 || tile_row + kRowsAhead >= kTileHeight)
+        return;
+    const std::ptrdiff_t ahead = at + kRowsAhead * kTileWidth;
+    fetch_row(tiles[0] + ahead + kTileWidth - kHalo, 1);
+    fetch_row(tiles[1] + ahead, kTileWidth);
+    fetch_row(tiles[2] + ahead, 1);
 }
 
 template <bool kWeighted, bool kPlanes, bool kLoad>
