@@ -4,7 +4,9 @@
 #include "terrain/grid/tile_kernel.h"
 
 #include "base/simd.h"
+#include "terrain/grid/tile_push.h"
 #include "terrain/grid/tile_rows.h"
+#include "terrain/grid/tile_slide.h"
 
 #include <array>
 #include <cstring>
