@@ -202,7 +202,7 @@ void SoundGround::step_patched(const Pass& pass, const Work& work, float* out,
     // A load's push depends on cells two away, and the first iteration computes the most rows.
     const int reach_rows = std::min(pass.iterations + 2, kHalo);
     const RowRange rows{first - reach_rows, end + reach_rows};
-    Patch patch = scratch->prepare(*base_, store_, soil, window, rows);
+    Patch patch = scratch->prepare(*base_, store_, soil, work.tile, rows);
     scratch->add_loads(patch, pass.loads, window, soil, rule_, rows);
 
     const int rim = rule_.border == Border::Zero ? 1 : 0;

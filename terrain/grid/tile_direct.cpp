@@ -1,7 +1,7 @@
 // One iteration on a tile where it lies: with a single iteration there is nothing to gain from
 // gathering the tile and its halo first.
 #include "base/simd.h"
-#include "terrain/grid/tile_rows.h"
+#include "terrain/grid/tile_slide.h"
 
 namespace scree::terrain {
 namespace {

@@ -45,9 +45,15 @@ struct PatchLoad {
     PatchPlane compaction;  ///< Share of the penetration pressed together; null if none anywhere.
 };
 
+/// A tile and the eight around it, row by row; blocks of zeros where one does not exist.
+struct TileBlocks {
+    const float* tiles[3][3] = {};
+};
+
 /// A tile with its surroundings, ready for some iterations.
 struct Patch {
-    float* u = nullptr;  ///< Displacements, rows of kPatchWidth; stepped in place.
+    TileBlocks source;   ///< Displacements before the iterations.
+    float* u = nullptr;  ///< Memory for them, rows of kPatchWidth; filled and stepped in place.
     PatchPlane base;
     PatchSoil soil;
     PatchLoad load;

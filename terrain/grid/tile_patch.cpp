@@ -144,7 +144,8 @@ float* PatchScratch::plane(int index) {
 }
 
 Patch PatchScratch::prepare(const Heightfield& base, const TileStore& store, const SoilPatch& soil,
-                            const CellWindow& window, const RowRange& rows) {
+                            int tile, const RowRange& rows) {
+    const CellWindow window = patch_window(store.cells(tile));
     const FloatRaster& heights = base.heights;
     Patch patch;
     patch.u = plane(kU);
@@ -155,7 +156,7 @@ Patch PatchScratch::prepare(const Heightfield& base, const TileStore& store, con
     patch.columns_end = heights.width() - window.x;
     const CellWindow read{window.x, window.y + rows.first, window.width, rows.end - rows.first};
     const std::ptrdiff_t start = rows.first * kPatchWidth;
-    store.read(read, patch.u + start, kPatchWidth);
+    patch.source = store.around(tile);
     if (window.x > 0 && read.y >= 0 && window.x + window.width <= heights.width() &&
         read.y + read.height <= heights.height()) {
         patch.base = {heights.row(read.y) + window.x - std::ptrdiff_t{rows.first} * heights.width(),

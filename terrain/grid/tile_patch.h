@@ -36,10 +36,10 @@ class PatchScratch {
 public:
     PatchScratch();
 
-    /// The patch over `window`, without loads.
+    /// The patch around a tile, without loads.
     /// @param rows  Those that steps read; others hold anything.
-    Patch prepare(const Heightfield& base, const TileStore& store, const SoilPatch& soil,
-                  const CellWindow& window, const RowRange& rows);
+    Patch prepare(const Heightfield& base, const TileStore& store, const SoilPatch& soil, int tile,
+                  const RowRange& rows);
     /// Give the patch the loads; those that do not reach it cost nothing.
     void add_loads(Patch& patch, std::span<const Load> loads, const CellWindow& window,
                    const SoilPatch& soil, const SoundRule& rule, const RowRange& rows);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "terrain/grid/face_flux.h"
 #include "terrain/grid/tile_kernel.h"
 
 #include <algorithm>
@@ -53,81 +52,6 @@ struct RowPair {
 #endif
 }
 
-/// The flux from cell 1 into cell 0 (C.8).
-template <bool kWeighted>
-[[gnu::always_inline]] inline float slide_flux(float u0, float u1, float b0, float b1,
-                                               float threshold0, float threshold1, float diffusion,
-                                               const SoundRule& rule, std::uint32_t keep) {
-    const float base_difference = b1 - b0;
-    const float difference = base_difference + (u1 - u0);
-    const float threshold = difference > 0.0F ? threshold1 : threshold0;
-    const float holds = std::bit_cast<float>(std::bit_cast<std::uint32_t>(base_difference) & keep);
-    float amount;
-    if constexpr (kWeighted)
-        amount =
-            weighted_slide(difference, holds, threshold, diffusion, rule.per_cell_size, rule.gain);
-    else
-        amount = excess_slide(difference, holds, threshold, diffusion);
-    return std::copysign(quantised(amount, rule.quantum), difference);
-}
-
-inline std::uint32_t keep_bits(const SoundRule& rule) {
-    return rule.keep_base ? ~0U : 0U;
-}
-
-/// Two rows of cells with faces between them.
-struct Between {
-    const float *u0, *u1, *base0, *base1;
-    const float *threshold0, *threshold1, *diffusion;  // read if the soil is not uniform
-};
-
-template <bool kWeighted, bool kPlanes, int kCount>
-[[gnu::always_inline]] inline void slide_row(const Between& between, const PatchSoil& soil,
-                                             const SoundRule& rule, float* __restrict flux) {
-    const Between b = between;
-    const SoundRule r = rule;
-    const std::uint32_t keep = keep_bits(r);
-    const float threshold = soil.threshold;
-    const float diffusion = soil.diffusion;
-    for (int x = 0; x < kCount; ++x)
-        flux[x] = slide_flux<kWeighted>(
-            b.u0[x], b.u1[x], b.base0[x], b.base1[x], kPlanes ? b.threshold0[x] : threshold,
-            kPlanes ? b.threshold1[x] : threshold, kPlanes ? b.diffusion[x] : diffusion, r, keep);
-}
-
-/// Take the loads' push (positive from cell 0 to cell 1) off the flux from cell 1 to cell 0.
-[[gnu::always_inline]] inline void push_row(const float* push, const float* share0,
-                                            const float* share1, float quantum,
-                                            float* __restrict flux) {
-    for (int x = 0; x < kPatchWidth; ++x) {
-        const float s0 = share0[x];
-        const float s1 = share1[x];
-        const float share = push[x] > 0.0F ? s0 : s1;
-        const float amount = quantised(std::fabs(push[x]) * share, quantum);
-        flux[x] -= std::copysign(amount, push[x]);
-    }
-}
-
-/// What the limiter lets go (C.9), and what is pressed together first, in patch row y.
-[[gnu::always_inline]] inline void share_row(const Patch& patch, int y, float quantum,
-                                             float* __restrict share, float* __restrict compacted) {
-    const float* u = patch.u + y * kPatchWidth;
-    const float* base = patch.base.row(y);
-    const float* underside = patch.load.underside.row(y);
-    const float* outflow = patch.load.outflow.row(y);
-    if (patch.load.compaction.values) {
-        const float* compaction = patch.load.compaction.row(y);
-        for (int x = 0; x < kPatchWidth; ++x) {
-            const float penetration = std::max((base[x] + u[x]) - underside[x], 0.0F);
-            compacted[x] = quantised(compaction[x] * penetration, quantum);
-            share[x] = limited_share(penetration - compacted[x], outflow[x]);
-        }
-        return;
-    }
-    for (int x = 0; x < kPatchWidth; ++x)
-        share[x] = limited_share(std::max((base[x] + u[x]) - underside[x], 0.0F), outflow[x]);
-}
-
 /// Fluxes through the four faces of a row of cells, and what is pressed together in them.
 struct RowFlux {
     const float *left, *above, *below, *compacted;
@@ -147,40 +71,6 @@ template <int kCount, bool kLoad, bool kNote>
             gain -= f.compacted[x];
         const float before = u[x];
         const float after = before + gain;
-        out[x] = after;
-        if constexpr (kNote) {
-            const std::uint32_t bits =
-                std::bit_cast<std::uint32_t>(before) ^ std::bit_cast<std::uint32_t>(after);
-            changed |= bits;
-            columns[x] |= bits;
-        }
-    }
-    return changed;
-}
-
-/// The fluxes below a row and its new displacements in one loop; otherwise as update_row().
-/// @param between  The cells of the row and those below them.
-template <bool kWeighted, bool kPlanes, int kCount, bool kNote>
-[[gnu::always_inline]] inline std::uint32_t slide_and_update(const Between& between,
-                                                             const PatchSoil& soil,
-                                                             const SoundRule& rule,
-                                                             const RowFlux& fluxes, float* below,
-                                                             float* out, std::uint32_t* columns) {
-    const Between b = between;
-    const SoundRule r = rule;
-    const RowFlux f = fluxes;
-    const std::uint32_t keep = keep_bits(r);
-    const float threshold = soil.threshold;
-    const float diffusion = soil.diffusion;
-    std::uint32_t changed = 0;
-#pragma GCC ivdep
-    for (int x = 0; x < kCount; ++x) {
-        const float before = b.u0[x];
-        const float flux = slide_flux<kWeighted>(
-            before, b.u1[x], b.base0[x], b.base1[x], kPlanes ? b.threshold0[x] : threshold,
-            kPlanes ? b.threshold1[x] : threshold, kPlanes ? b.diffusion[x] : diffusion, r, keep);
-        below[x] = flux;
-        const float after = before + ((f.left[x + 1] - f.left[x]) + (flux - f.above[x]));
         out[x] = after;
         if constexpr (kNote) {
             const std::uint32_t bits =
