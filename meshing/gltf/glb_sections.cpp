@@ -50,7 +50,8 @@ Sections open_sections(bool quantise) {
     s.normals.stride = quantise ? 4 : 12;
     s.texcoords.stride = 4;
     s.wide_texcoords.stride = 8;
-    for (Section* section : {&s.positions, &s.normals, &s.texcoords, &s.wide_texcoords})
+    s.colours.stride = 4;
+    for (Section* section : {&s.positions, &s.normals, &s.texcoords, &s.wide_texcoords, &s.colours})
         section->target = TINYGLTF_TARGET_ARRAY_BUFFER;
     s.indices.target = s.wide_indices.target = TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
     return s;

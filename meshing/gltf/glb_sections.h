@@ -34,8 +34,8 @@ struct Section {
 };
 
 struct Sections {
-    Section texture, positions, normals, texcoords, wide_texcoords, indices, wide_indices,
-        instances;
+    Section texture, positions, normals, texcoords, wide_texcoords, colours;
+    Section indices, wide_indices, instances;
 };
 
 /// Empty sections with the strides and targets that vertices and indices have.

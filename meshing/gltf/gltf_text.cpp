@@ -136,6 +136,7 @@ void append_mesh(std::string& json, const std::string& name, const MeshText& mes
         Object primitive(json);
         {
             Object attributes(primitive.key("attributes"));
+            attributes.index("COLOR_0", mesh.colours);
             attributes.index("NORMAL", mesh.normals);
             attributes.index("POSITION", mesh.positions);
             attributes.index("TEXCOORD_0", mesh.texcoords);

@@ -15,6 +15,7 @@ struct MeshText {
     int positions = -1;
     int normals = -1;
     int texcoords = -1;
+    int colours = -1;
     int indices = -1;
 };
 

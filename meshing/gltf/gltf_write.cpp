@@ -104,6 +104,10 @@ MeshText add_mesh(Draft& draft, EncodedMesh mesh) {
                             mesh.coded_texcoords ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT
                                                  : TINYGLTF_COMPONENT_TYPE_FLOAT,
                             mesh.n_vertices, mesh.coded_texcoords));
+    if (!mesh.colours.empty())
+        text.colours = add(sections.colours, mesh.colours,
+                           accessor_of(TINYGLTF_TYPE_VEC4, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE,
+                                       mesh.n_vertices, true));
     text.indices = add(mesh.wide_indices ? sections.wide_indices : sections.indices, mesh.indices,
                        accessor_of(TINYGLTF_TYPE_SCALAR,
                                    mesh.wide_indices ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT
@@ -118,6 +122,7 @@ std::vector<EncodedMesh> encode_meshes(GltfScene& scene, const GltfWriteOptions&
     parallel_for_each_index(0, encoded.size(), 1, [&](std::size_t i) {
         encoded[i] = gltf::encode_mesh(std::move(scene.meshes[i].geometry),
                                        {options.quantise, options.reorder, !scene.texture.empty()});
+        encoded[i].colours = gltf::encode_colours(scene.meshes[i].colours);
     });
     return encoded;
 }
@@ -133,6 +138,11 @@ void add_meshes(Draft& draft, std::vector<EncodedMesh> encoded) {
 
 // ---- material ----
 
+bool has_colours(const GltfScene& scene) {
+    return std::any_of(scene.meshes.begin(), scene.meshes.end(),
+                       [](const GltfMesh& mesh) { return !mesh.colours.empty(); });
+}
+
 void add_material(Draft& draft) {
     Model& model = draft.model;
     const GltfScene& scene = draft.scene;
@@ -141,7 +151,10 @@ void add_material(Draft& draft) {
     material.pbrMetallicRoughness.metallicFactor = 0.0;
     material.pbrMetallicRoughness.roughnessFactor = 0.9;
     if (scene.texture.empty()) {
-        material.pbrMetallicRoughness.baseColorFactor = {0.5, 0.48, 0.45, 1.0};
+        // Colours of vertices are multiplied with it.
+        material.pbrMetallicRoughness.baseColorFactor =
+            has_colours(scene) ? std::vector<double>{1.0, 1.0, 1.0, 1.0}
+                               : std::vector<double>{0.5, 0.48, 0.45, 1.0};
     } else {
         tinygltf::Image image;
         image.name = "photograph";
@@ -352,7 +365,7 @@ void put_file(Draft& draft, const GlbSink& sink) {
     Sections& s = draft.sections;
     const std::array<std::uint8_t, 3> zeros{};
     for (Section* section : {&s.texture, &s.positions, &s.normals, &s.texcoords, &s.wide_texcoords,
-                             &s.indices, &s.wide_indices, &s.instances}) {
+                             &s.colours, &s.indices, &s.wide_indices, &s.instances}) {
         for (auto& part : section->parts) {
             sink(part);
             sink(std::span(zeros).first(padded(part.size()) - part.size()));
@@ -366,6 +379,8 @@ void put_file(Draft& draft, const GlbSink& sink) {
 void encode_glb(GltfScene scene, const GltfWriteOptions& options, const GlbSink& sink) {
     check(options);
     check_scene(scene);
+    if (options.reorder && has_colours(scene))
+        fail<InvalidInput>("meshes with colours keep their order: turn off reorder");
     std::vector<EncodedMesh> encoded = encode_meshes(scene, options);
     Draft draft{scene, options};
     draft.model.asset.version = "2.0";
@@ -378,7 +393,7 @@ void encode_glb(GltfScene scene, const GltfWriteOptions& options, const GlbSink&
     add_nodes(draft);
     const Sections& s = draft.sections;
     for (const Section* section : {&s.positions, &s.normals, &s.texcoords, &s.wide_texcoords,
-                                   &s.indices, &s.wide_indices, &s.instances})
+                                   &s.colours, &s.indices, &s.wide_indices, &s.instances})
         draft.close(*section);
     add_scene(draft);
     declare_extensions(draft);

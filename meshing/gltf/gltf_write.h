@@ -32,7 +32,8 @@ void describe(GltfWriteOptions& o, Visitor&& field) {
 /// that a reader must know are listed as required; coarser nodes are named by
 /// MSFT_lod, which a reader may ignore. A scene that is moved here costs least memory: its meshes
 /// go as they are written.
-/// @throw InvalidInput  check_scene() fails, the texture is no JPEG or PNG, or the file would pass
+/// @throw InvalidInput  check_scene() fails, a mesh with colours shall be reordered, the texture is
+/// no JPEG or PNG, or the file would pass
 ///        2 GiB.
 std::vector<std::uint8_t> encode_glb(GltfScene scene, const GltfWriteOptions& options = {});
 

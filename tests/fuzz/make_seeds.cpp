@@ -1,5 +1,6 @@
 #include "base/whole_file.h"
 #include "meshing/gltf/gltf_write.h"
+#include "meshing/io/mesh_io.h"
 #include "terrain/material/id_text.h"
 #include "terrain/material/materials_json.h"
 #include "tests/support/tiny_network.h"
@@ -178,6 +179,28 @@ void erosion_seeds(const fs::path& folder) {
 "mesh":{"file":"a.glb"},"fluid":{"kind":"particles"}})"));
 }
 
+// A tetrahedron in both forms of every mesh file.
+void mesh_seeds(const fs::path& folder) {
+    meshing::MeshFile file;
+    file.mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1.5F, 0}, {0, 0, -1e-3F}};
+    file.mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+    file.colours = {{1, 2, 3}, {4, 5, 6}, {255, 0, 128}, {9, 9, 9}};
+    const std::pair<const char*, meshing::MeshFormat> formats[] = {
+        {"obj", meshing::MeshFormat::Obj},
+        {"ply", meshing::MeshFormat::Ply},
+        {"off", meshing::MeshFormat::Off},
+        {"stl", meshing::MeshFormat::Stl}};
+    for (const auto& [name, format] : formats) {
+        fs::create_directories(folder / name);
+        for (const bool text : {false, true})
+            write_whole_file(folder / name / (text ? "text" : "binary"),
+                             std::string_view(meshing::encode_mesh(file, format, {.text = text})));
+    }
+    write_whole_file(folder / "obj" / "textured",
+                     std::string_view("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+                                      "f 1/1/1 2/2/1 -1/-1\n"));
+}
+
 }  // namespace
 
 int main(int n_words, char** words) {
@@ -188,6 +211,7 @@ int main(int n_words, char** words) {
     label_seeds(folder / "labels");
     model_seeds(folder / "model");
     glb_seeds(folder / "glb");
+    mesh_seeds(folder);
     ground_seeds(folder);
     scene_seeds(folder / "scene");
     erosion_seeds(folder / "erosion_scene");
