@@ -34,12 +34,9 @@ public:
     float height(const FloatRaster& heights, int x, int y) const {
         const float repose = soil_.repose(x, y);
         const float to_grid = rule_.steps * rule_.steps / rule_.cell_size;
-        const auto weighted = [&](float term) {
-            return literal_weighted(term, repose, literal_room(repose), to_grid,
-                                    rule_.clamp_weights);
-        };
-        const float sum = weighted(term(heights, force_x_, x, y, {1, 0})) +
-                          weighted(term(heights, force_z_, x, y, {0, 1}));
+        const float sum = literal_product(
+            term(heights, force_x_, x, y, {1, 0}), term(heights, force_z_, x, y, {0, 1}),
+            {repose, literal_room(repose), rule_.clamp_weights}, to_grid);
         return heights(x, y) + rule_.time_step * sum;
     }
 

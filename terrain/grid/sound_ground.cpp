@@ -149,17 +149,20 @@ void SoundGround::reach(const CellWindow& source, int distance) {
 void SoundGround::run(const Pass& pass, Work& work) {
     PatchChange change;
     FloatBlock block = store_.take();
-    if (is_direct(pass, patch_window(store_.cells(work.tile))))
+    if (is_direct(pass, work.tile))
         step_direct(work, block.get(), change);
     else
         step_patched(pass, work, block.get(), change);
     finish(work, change, std::move(block), pass.measure);
 }
 
-/// Whether a tile need not be gathered with its surroundings.
-bool SoundGround::is_direct(const Pass& pass, const CellWindow& patch) const {
-    return pass.iterations == 1 &&
-           intersection(grown(patch, 1), store_.extent()) == grown(patch, 1) &&
+/// Whether a tile need not be gathered with its surroundings. The ground's first tile is: there is
+/// no memory before its first height.
+bool SoundGround::is_direct(const Pass& pass, int tile) const {
+    const CellWindow cells = store_.cells(tile);
+    const CellWindow patch = patch_window(cells);
+    return pass.iterations == 1 && rule_.border == Border::NoFlux && tile != 0 &&
+           intersection(cells, store_.extent()) == cells &&
            std::none_of(pass.loads.begin(), pass.loads.end(), [&](const Load& load) {
                return !intersection(patch, load.window).empty();
            });
@@ -168,12 +171,17 @@ bool SoundGround::is_direct(const Pass& pass, const CellWindow& patch) const {
 void SoundGround::step_direct(const Work& work, float* out, PatchChange& change) {
     const CellWindow cells = store_.cells(work.tile);
     const FloatRaster& base = base_->heights;
+    const int column = work.tile % store_.columns();
+    const int row = work.tile / store_.columns();
+    const auto beside = [&](bool inside, int tile) {
+        return inside ? store_.values_or_zeros(tile) : nullptr;
+    };
     const DirectTile tile{
         .here = store_.values_or_zeros(work.tile),
-        .above = store_.values_or_zeros(work.tile - store_.columns()),
-        .below = store_.values_or_zeros(work.tile + store_.columns()),
-        .left = store_.values_or_zeros(work.tile - 1),
-        .right = store_.values_or_zeros(work.tile + 1),
+        .above = beside(row > 0, work.tile - store_.columns()),
+        .below = beside(row + 1 < store_.rows(), work.tile + store_.columns()),
+        .left = beside(column > 0, work.tile - 1),
+        .right = beside(column + 1 < store_.columns(), work.tile + 1),
         .base = {base.row(cells.y) + cells.x, base.width()},
         .soil = soil_of(work.tile).soil,
     };
@@ -189,12 +197,17 @@ void SoundGround::step_patched(const Pass& pass, const Work& work, float* out,
     auto scratch = take_scratch();
     const CellWindow window = patch_window(store_.cells(work.tile));
     const SoilPatch& soil = soil_of(work.tile);
-    Patch patch = scratch->prepare(*base_, store_, soil, window);
-    scratch->add_loads(patch, pass.loads, window, soil, rule_);
+    const int first = work.region.y - window.y;
+    const int end = first + work.region.height;
+    // A load's push depends on cells two away, and the first iteration computes the most rows.
+    const int reach_rows = std::min(pass.iterations + 2, kHalo);
+    const RowRange rows{first - reach_rows, end + reach_rows};
+    Patch patch = scratch->prepare(*base_, store_, soil, work.tile, rows);
+    scratch->add_loads(patch, pass.loads, window, soil, rule_, rows);
 
     const int rim = rule_.border == Border::Zero ? 1 : 0;
-    const PatchSteps steps{.first = work.region.y - window.y,
-                           .end = work.region.y - window.y + work.region.height,
+    const PatchSteps steps{.first = first,
+                           .end = end,
                            .iterations = pass.iterations,
                            .least_row = patch.first_row + rim,
                            .rows_bound = patch.rows_end - rim};

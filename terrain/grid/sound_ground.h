@@ -45,7 +45,7 @@ private:
     void schedule(const Pass& pass, bool first);
     void reach(const CellWindow& source, int distance);
     void run(const Pass& pass, Work& work);
-    bool is_direct(const Pass& pass, const CellWindow& patch) const;
+    bool is_direct(const Pass& pass, int tile) const;
     void step_direct(const Work& work, float* out, PatchChange& change);
     void step_patched(const Pass& pass, const Work& work, float* out, PatchChange& change);
     void finish(Work& work, const PatchChange& change, FloatBlock block, bool measure);

@@ -6,6 +6,8 @@
 namespace scree::terrain {
 namespace {
 
+constexpr int kRowsAhead = 2;
+
 struct DirectArguments {
     const DirectTile& tile;
     const SoundRule& rule;
@@ -46,25 +48,42 @@ template <bool kWeighted, bool kPlanes>
     // The first face and the one after the last lie between this tile and its neighbours.
     constexpr int n = kTileWidth;
     const std::uint32_t keep = keep_bits(a.rule);
-    flux[0] = slide_flux<kWeighted>(tile.left[y * n + n - 1], u[0], base[-1], base[0],
-                                    threshold[-1], threshold[0], diffusion[0], a.rule, keep);
-    flux[n] = slide_flux<kWeighted>(u[n - 1], tile.right[y * n], base[n - 1], base[n],
-                                    threshold[n - 1], threshold[n], diffusion[n], a.rule, keep);
+    flux[0] = tile.left
+                  ? slide_flux<kWeighted>(tile.left[y * n + n - 1], u[0], base[-1], base[0],
+                                          threshold[-1], threshold[0], diffusion[0], a.rule, keep)
+                  : 0.0F;
+    flux[n] = tile.right ? slide_flux<kWeighted>(u[n - 1], tile.right[y * n], base[n - 1], base[n],
+                                                 threshold[n - 1], threshold[n], diffusion[n],
+                                                 a.rule, keep)
+                         : 0.0F;
 }
 
 template <bool kWeighted, bool kPlanes>
 [[gnu::always_inline]] inline void step_direct_rows(const DirectArguments& a) {
     Row flux_x;
     RowPair flux_z;  // above and below the row
-    slide_row<kWeighted, kPlanes, kTileWidth>(direct_rows_above(a.tile, a.begin), a.tile.soil,
-                                              a.rule, flux_z.here->at(0));
+    if (a.begin > 0 || a.tile.above)
+        slide_row<kWeighted, kPlanes, kTileWidth>(direct_rows_above(a.tile, a.begin), a.tile.soil,
+                                                  a.rule, flux_z.here->at(0));
+    else
+        flux_z.here->clear();
     for (int y = a.begin; y < a.end; ++y) {
+        if (y + kRowsAhead < kTileHeight)
+            fetch_row(a.tile.base.row(y + kRowsAhead), kTileWidth);
         direct_faces_left<kWeighted, kPlanes>(a, y, flux_x.at(0));
-        const RowFlux fluxes{flux_x.at(0), flux_z.here->at(0), nullptr, nullptr};
-        note_row(a.change, y,
-                 slide_and_update<kWeighted, kPlanes, kTileWidth, true>(
-                     direct_rows_above(a.tile, y + 1), a.tile.soil, a.rule, fluxes,
-                     flux_z.next->at(0), a.out + y * kTileWidth, a.change.columns));
+        const RowFlux fluxes{flux_x.at(0), flux_z.here->at(0), flux_z.next->at(0), nullptr};
+        float* out = a.out + y * kTileWidth;
+        std::uint32_t changed = 0;
+        if (y + 1 < kTileHeight || a.tile.below) {
+            changed = slide_and_update<kWeighted, kPlanes, kTileWidth, true>(
+                direct_rows_above(a.tile, y + 1), a.tile.soil, a.rule, fluxes, flux_z.next->at(0),
+                out, a.change.columns);
+        } else {
+            flux_z.next->clear();
+            changed = update_row<kTileWidth, false, true>(fluxes, direct_row(a.tile, y), out,
+                                                          a.change.columns);
+        }
+        note_row(a.change, y, changed);
         flux_z.advance();
     }
 }

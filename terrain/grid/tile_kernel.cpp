@@ -7,10 +7,13 @@
 #include "terrain/grid/tile_rows.h"
 
 #include <array>
+#include <cstring>
 #include <type_traits>
 
 namespace scree::terrain {
 namespace {
+
+constexpr int kRowsAhead = 8;
 
 struct Arguments {
     const Patch& patch;
@@ -178,6 +181,24 @@ template <bool kWeighted, bool kPlanes, bool kLoad>
     level.flux_z.advance();
 }
 
+/// Copy patch row y from the tiles, and ask for one to come.
+[[gnu::always_inline]] inline void gather_row(const Patch& patch, int y) {
+    const int tile_row = y - kHalo;
+    const int band = tile_row < 0 ? 0 : (tile_row < kTileHeight ? 1 : 2);
+    const std::ptrdiff_t at = (tile_row - (band - 1) * kTileHeight) * std::ptrdiff_t{kTileWidth};
+    const auto& tiles = patch.source.tiles[band];
+    float* u = patch.u + y * kPatchWidth;
+    std::memcpy(u, tiles[0] + at + kTileWidth - kHalo, kHalo * sizeof(float));
+    std::memcpy(u + kHalo, tiles[1] + at, kTileWidth * sizeof(float));
+    std::memcpy(u + kHalo + kTileWidth, tiles[2] + at, kHalo * sizeof(float));
+    if (band != 1 || tile_row + kRowsAhead >= kTileHeight)
+        return;
+    const std::ptrdiff_t ahead = at + kRowsAhead * kTileWidth;
+    fetch_row(tiles[0] + ahead + kTileWidth - kHalo, 1);
+    fetch_row(tiles[1] + ahead, kTileWidth);
+    fetch_row(tiles[2] + ahead, 1);
+}
+
 template <bool kWeighted, bool kPlanes, bool kLoad>
 [[gnu::always_inline]] inline void step_rows(const Arguments& a) {
     std::array<LevelOf<kLoad>, kMostBlocked> levels;
@@ -194,7 +215,13 @@ template <bool kWeighted, bool kPlanes, bool kLoad>
         first = std::min(first, level.begin + i);
         end = std::max(end, level.end + i);
     }
-    for (int front = first; front < end; ++front)
+    gather_row(a.patch, levels.front().begin - 1);
+    gather_row(a.patch, levels.front().begin);
+    for (int front = first; front < end; ++front) {
+        if (front < levels.front().end)
+            gather_row(a.patch, front + 1);
+        if (front + kRowsAhead < levels.front().end)
+            fetch_row(a.patch.base.row(front + kRowsAhead), kPatchWidth);
         for (int i = 0; i < steps.iterations; ++i) {
             LevelOf<kLoad>& level = levels[static_cast<std::size_t>(i)];
             const int y = front - i;
@@ -204,6 +231,7 @@ template <bool kWeighted, bool kPlanes, bool kLoad>
                 begin_level<kWeighted, kPlanes, kLoad>(a, level);
             step_level_row<kWeighted, kPlanes, kLoad>(a, level, y, flux_x);
         }
+    }
 }
 
 SCREE_MULTIVERSION void excess_uniform(const Arguments& a) {

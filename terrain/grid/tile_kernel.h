@@ -9,7 +9,7 @@
 namespace scree::terrain {
 
 inline constexpr int kTileWidth = 128;
-inline constexpr int kTileHeight = 64;
+inline constexpr int kTileHeight = 128;
 /// A patch is a tile with this much of its neighbours on every side.
 inline constexpr int kHalo = 8;
 inline constexpr int kPatchWidth = kTileWidth + 2 * kHalo;
@@ -45,9 +45,15 @@ struct PatchLoad {
     PatchPlane compaction;  ///< Share of the penetration pressed together; null if none anywhere.
 };
 
+/// A tile and the eight around it, row by row; blocks of zeros where one does not exist.
+struct TileBlocks {
+    const float* tiles[3][3] = {};
+};
+
 /// A tile with its surroundings, ready for some iterations.
 struct Patch {
-    float* u = nullptr;  ///< Displacements, rows of kPatchWidth; stepped in place.
+    TileBlocks source;   ///< Displacements before the iterations.
+    float* u = nullptr;  ///< Memory for them, rows of kPatchWidth; filled and stepped in place.
     PatchPlane base;
     PatchSoil soil;
     PatchLoad load;
@@ -65,14 +71,14 @@ struct PatchChange {
     double compacted = 0.0;                  ///< Sum of the heights pressed together, metres.
 };
 
-/// A tile away from the rim of the ground and from loads, for one iteration where it lies.
+/// A tile away from loads, for one iteration where it lies.
 struct DirectTile {
     const float* here = nullptr;   ///< Rows of kTileWidth, of zeros where a tile does not exist.
-    const float* above = nullptr;  ///< The tiles around it.
-    const float* below = nullptr;
+    const float* above = nullptr;  ///< The tiles around it; null where the ground ends, without
+    const float* below = nullptr;  ///< flux through the rim.
     const float* left = nullptr;
     const float* right = nullptr;
-    PatchPlane base;  ///< Row 0 begins with the tile's first cell, and has cells around it.
+    PatchPlane base;  ///< Row 0 begins with the tile's first cell, and has a float before it.
     PatchSoil soil;   ///< Of the tile's patch.
 };
 

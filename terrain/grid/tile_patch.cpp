@@ -144,7 +144,8 @@ float* PatchScratch::plane(int index) {
 }
 
 Patch PatchScratch::prepare(const Heightfield& base, const TileStore& store, const SoilPatch& soil,
-                            const CellWindow& window) {
+                            int tile, const RowRange& rows) {
+    const CellWindow window = patch_window(store.cells(tile));
     const FloatRaster& heights = base.heights;
     Patch patch;
     patch.u = plane(kU);
@@ -153,11 +154,19 @@ Patch PatchScratch::prepare(const Heightfield& base, const TileStore& store, con
     patch.rows_end = heights.height() - window.y;
     patch.first_column = -window.x;
     patch.columns_end = heights.width() - window.x;
-    store.read(window, patch.u, kPatchWidth);
+    const CellWindow read{window.x, window.y + rows.first, window.width, rows.end - rows.first};
+    const std::ptrdiff_t start = rows.first * kPatchWidth;
+    patch.source = store.around(tile);
+    if (window.x > 0 && read.y >= 0 && window.x + window.width <= heights.width() &&
+        read.y + read.height <= heights.height()) {
+        patch.base = {heights.row(read.y) + window.x - std::ptrdiff_t{rows.first} * heights.width(),
+                      heights.width()};
+        return patch;
+    }
     float* copy = plane(kBase);
-    const CellWindow part = intersection(window, {0, 0, heights.width(), heights.height()});
-    if (part != window)
-        std::fill_n(copy, kPatchWidth * kPatchHeight, 0.0F);
+    const CellWindow part = intersection(read, {0, 0, heights.width(), heights.height()});
+    if (part != read)
+        std::fill_n(copy + start, kPatchWidth * read.height, 0.0F);
     for (int y = part.y; y < part.y + part.height; ++y)
         std::copy_n(heights.row(y) + part.x, part.width,
                     copy + (y - window.y) * kPatchWidth + (part.x - window.x));
@@ -166,11 +175,12 @@ Patch PatchScratch::prepare(const Heightfield& base, const TileStore& store, con
 }
 
 void PatchScratch::gather_loads(std::span<const Load> loads, const CellWindow& window,
-                                const CellWindow& ground) {
-    constexpr int kCells = kPatchWidth * kPatchHeight;
-    std::fill_n(plane(kForceX), kCells, 0.0F);
-    std::fill_n(plane(kForceZ), kCells, 0.0F);
-    std::fill_n(plane(kUnderside), kCells, std::numeric_limits<float>::infinity());
+                                const CellWindow& ground, const RowRange& rows) {
+    const std::ptrdiff_t start = rows.first * kPatchWidth;
+    const int cells = (rows.end - rows.first) * kPatchWidth;
+    std::fill_n(plane(kForceX) + start, cells, 0.0F);
+    std::fill_n(plane(kForceZ) + start, cells, 0.0F);
+    std::fill_n(plane(kUnderside) + start, cells, std::numeric_limits<float>::infinity());
     for (const Load& load : loads) {
         const CellWindow part = intersection(ground, load.window);
         for (int y = part.y; y < part.y + part.height; ++y) {
@@ -190,20 +200,20 @@ void PatchScratch::gather_loads(std::span<const Load> loads, const CellWindow& w
 }
 
 void PatchScratch::add_loads(Patch& patch, std::span<const Load> loads, const CellWindow& window,
-                             const SoilPatch& soil, const SoundRule& rule) {
+                             const SoilPatch& soil, const SoundRule& rule, const RowRange& rows) {
     const int left = std::max(0, patch.first_column);
-    const int top = std::max(0, patch.first_row);
+    const int top = std::max(rows.first, patch.first_row);
     const CellWindow ground = {window.x + left, window.y + top,
                                std::min(kPatchWidth, patch.columns_end) - left,
-                               std::min(kPatchHeight, patch.rows_end) - top};
+                               std::min(rows.end, patch.rows_end) - top};
     const bool reached = std::any_of(loads.begin(), loads.end(), [&](const Load& load) {
         return !intersection(ground, load.window).empty();
     });
     if (!reached)
         return;
-    gather_loads(loads, window, ground);
+    gather_loads(loads, window, ground, rows);
     const float scale = rule.time_step * rule.cell_size;
-    for (int y = 1; y < kPatchHeight; ++y) {
+    for (int y = rows.first + 1; y < rows.end; ++y) {
         const std::ptrdiff_t at = y * kPatchWidth;
         const float* mobility = soil.mobility.row(y);
         float* push_x = plane(kPushX) + at;
@@ -219,7 +229,7 @@ void PatchScratch::add_loads(Patch& patch, std::span<const Load> loads, const Ce
         if (patch.columns_end <= kPatchWidth)
             push_x[patch.columns_end] = 0.0F;
     }
-    for (int y = 1; y + 1 < kPatchHeight; ++y) {
+    for (int y = rows.first + 1; y + 1 < rows.end; ++y) {
         const std::ptrdiff_t at = y * kPatchWidth;
         outflow_of(plane(kPushX) + at, plane(kPushZ) + at, plane(kPushZ) + at + kPatchWidth,
                    plane(kOutflow) + at);
@@ -231,7 +241,7 @@ void PatchScratch::add_loads(Patch& patch, std::span<const Load> loads, const Ce
                   {}};
     if (!soil.compacts)
         return;
-    for (int y = 0; y < kPatchHeight; ++y)
+    for (int y = rows.first; y < rows.end; ++y)
         compaction_share(soil.compaction.row(y), soil.mobility.row(y), rule.time_step,
                          plane(kCompaction) + y * kPatchWidth);
     if (rule.border == Border::Zero)

@@ -25,24 +25,31 @@ CellWindow patch_window(const CellWindow& tile);
 /// Parameters that are the same all over the window take one row instead of a plane.
 SoilPatch make_soil_patch(const SoilField& field, const CellWindow& window, const SoundRule& rule);
 
+/// Rows [first, end) of a patch.
+struct RowRange {
+    int first = 0;
+    int end = kPatchHeight;
+};
+
 /// Memory for one patch at a time.
 class PatchScratch {
 public:
     PatchScratch();
 
-    /// The patch over `window`, without loads.
-    Patch prepare(const Heightfield& base, const TileStore& store, const SoilPatch& soil,
-                  const CellWindow& window);
+    /// The patch around a tile, without loads.
+    /// @param rows  Those that steps read; others hold anything.
+    Patch prepare(const Heightfield& base, const TileStore& store, const SoilPatch& soil, int tile,
+                  const RowRange& rows);
     /// Give the patch the loads; those that do not reach it cost nothing.
     void add_loads(Patch& patch, std::span<const Load> loads, const CellWindow& window,
-                   const SoilPatch& soil, const SoundRule& rule);
+                   const SoilPatch& soil, const SoundRule& rule, const RowRange& rows);
 
     static std::size_t bytes();
 
 private:
     float* plane(int index);
     void gather_loads(std::span<const Load> loads, const CellWindow& window,
-                      const CellWindow& ground);
+                      const CellWindow& ground, const RowRange& rows);
 
     FloatBlock values_;
 };

@@ -40,6 +40,19 @@ struct RowPair {
     void advance() { std::swap(here, next); }
 };
 
+/// Ask for the heights of a row to come: rows of the base are far apart in memory, where no machine
+/// looks ahead by itself.
+[[gnu::always_inline]] inline void fetch_row(const float* row, int n) {
+#if defined(__GNUC__)
+    constexpr int kLine = 16;  // floats
+    for (int x = 0; x < n; x += kLine)
+        __builtin_prefetch(row + x, 0, 2);
+#else
+    (void)row;
+    (void)n;
+#endif
+}
+
 /// The flux from cell 1 into cell 0 (C.8).
 template <bool kWeighted>
 [[gnu::always_inline]] inline float slide_flux(float u0, float u1, float b0, float b1,

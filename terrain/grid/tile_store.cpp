@@ -40,6 +40,20 @@ CellWindow TileStore::cells(int tile) const {
     return {tile % columns_ * kTileWidth, tile / columns_ * kTileHeight, kTileWidth, kTileHeight};
 }
 
+TileBlocks TileStore::around(int tile) const {
+    const int column = tile % columns_;
+    const int row = tile / columns_;
+    TileBlocks blocks;
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x) {
+            const bool inside =
+                column + x >= 0 && column + x < columns_ && row + y >= 0 && row + y < rows_;
+            blocks.tiles[y + 1][x + 1] =
+                inside ? values_or_zeros(tile + y * columns_ + x) : zeros_.get();
+        }
+    return blocks;
+}
+
 FloatBlock TileStore::take() {
     {
         const std::lock_guard lock(guard_);

@@ -41,6 +41,9 @@ public:
         return own ? own : zeros_.get();
     }
 
+    /// A tile and those around it.
+    TileBlocks around(int tile) const;
+
     /// A block for one tile, its contents anything. Any thread may call these two.
     FloatBlock take();
     void give(FloatBlock block);
