@@ -27,11 +27,30 @@ std::span<const Command> commands() {
           "say what the ground is made of, place by place, from pictures, rules or strokes",
           "scree describe --labels out/labels.png --photo gravel.jpg --width-m 0.8 -o ground",
           "Writes materials.json, ids.png, description.png to look at and, where cells differ from "
-          "their materials, params.exr; on request map_rgba.png and map_ids.txt, "
-          "ground_albedo.png, "
-          "ground_normal.png and ground_height.exr, ground.frag.glsl and ground.tese.glsl. Says "
-          "what a form could not keep. docs/description-maps.md describes the files."},
+          "their materials, params.exr. On request: the published set of map_rgba.png, "
+          "map_ids.txt, "
+          "ground.frag.glsl and ground.tese.glsl; ground_albedo.png, ground_normal.png and "
+          "ground_height.exr; channel_*.png. Says what a form could not keep. "
+          "docs/description-maps.md describes the files."},
          run_describe},
+        {{"deform", "press, roll and drag objects over ground that gives way",
+          "scree deform testdata/scenes/sand.json -o out",
+          "Writes ddh.exr (displacements) and height.exr in metres, terrain.glb, frames, "
+          "preview.gif "
+          "and report.json: all of them, or none if it is stopped."},
+         run_deform},
+        {{"weather", "wear a mesh as wind and frost do: protrusions recede, hollows stay",
+          "scree weather statue.ply -o worn.ply --steps 50 --power 2 --before-after worn.png",
+          "With --checkpoint a run that was stopped goes on where it was, to the same bytes; the "
+          "file goes when the run is done. A mesh that tangles goes back to its last clean state "
+          "and takes shorter steps."},
+         run_weather},
+        {{"erode", "let water wear a mesh: fluid, erosion, meshes and pictures of both",
+          "scree erode testdata/scenes/erode_canyon.json -o out",
+          "The scene is described in docs/hydraulic-erosion.md. Frames and checkpoints appear one "
+          "by "
+          "one, each whole, all else at the end."},
+         run_erode},
         {{"render", "draw a ground: textured, as wires, by height or by material",
           "scree render heights.exr -o ground.png --map ground --view textured",
           "Needs OpenGL 4.5 but no display and no graphics card: Mesa draws on the processor where "
@@ -47,6 +66,12 @@ std::span<const Command> commands() {
           "Looks where other validators do not: at EXT_mesh_gpu_instancing, bounds, indices and "
           "the tree of nodes. The exit status is 1 if there is an error."},
          run_check},
+        {{"classify", "cut a photograph of ground into sand, mud, pebbles, rock and grass",
+          "scree classify ground.jpg -o out --width-m 3",
+          "Without --width-m the scale is taken from the photograph's metadata; where that has "
+          "none, a pixel counts as a millimetre. With --heights, ground steeper than a class can "
+          "lie speaks against it."},
+         run_classify},
     };
     return table;
 }

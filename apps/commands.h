@@ -20,8 +20,12 @@ void run_mesh(Arguments& arguments);
 void run_scatter(Arguments& arguments);
 void run_procedural(Arguments& arguments);
 void run_describe(Arguments& arguments);
+void run_erode(Arguments& arguments);
+void run_weather(Arguments& arguments);
 void run_render(Arguments& arguments);
 void run_score(Arguments& arguments);
 void run_check(Arguments& arguments);
+void run_deform(Arguments& arguments);
+void run_classify(Arguments& arguments);
 
 }  // namespace scree::apps

@@ -7,6 +7,7 @@
 #include "terrain/material/map_files.h"
 #include "terrain/material/map_rules.h"
 #include "terrain/material/materials_json.h"
+#include "terrain/material/published_set.h"
 #include "terrain/material/strokes.h"
 #include "terrain/material/texture_bake.h"
 #include "vision/image_io.h"
@@ -22,9 +23,10 @@ using terrain::DescriptionMap;
 constexpr double kSurfaceDepth = 1.0;  // metres; of the one layer that mixes
 
 // Everything that any run writes; what a run has no version of is taken away.
-constexpr const char* kAllFiles[] = {"params.exr",        "map_rgba.png",      "map_ids.txt",
-                                     "ground_albedo.png", "ground_normal.png", "ground_height.exr",
-                                     "ground.frag.glsl",  "ground.tese.glsl"};
+constexpr const char* kAllFiles[] = {
+    "params.exr",         "map_rgba.png",         "map_ids.txt",          "ground_albedo.png",
+    "ground_normal.png",  "ground_height.exr",    terrain::kFragmentFile, terrain::kEvaluationFile,
+    "channel_repose.png", "channel_mobility.png", "channel_diffusion.png"};
 
 /// Collects the files of a run.
 struct Output {
@@ -98,8 +100,11 @@ DescriptionMap imported_map(const DescribeJob& job, DescribeReport& report) {
 
 DescriptionMap map_of(const DescribeJob& job, DescribeReport& report, Output& out,
                       Progress* progress) {
-    if (!job.map.empty())
-        return terrain::read_description_map(job.map);
+    if (!job.map.empty()) {
+        DescriptionMap map = terrain::read_description_map(job.map);
+        map.cell_size = job.options.cell_size_m > 0.0 ? job.options.cell_size_m : map.cell_size;
+        return map;
+    }
     if (!job.painted.empty())
         return painted_map(job);
     if (!job.labels.empty())
@@ -141,26 +146,34 @@ void mix(const DescribeJob& job, DescriptionMap& map) {
     map = terrain::surface_map(layers, kSurfaceDepth);
 }
 
-void write_rgba(const DescribeJob& job, DescribeReport& report, Output& out) {
-    if (job.options.rgba == RgbaExport::None)
+void write_published(const DescribeJob& job, DescribeReport& report, Output& out) {
+    const std::vector<std::string> shaders = {terrain::kFragmentFile, terrain::kEvaluationFile};
+    if (job.options.rgba != RgbaExport::None) {
+        const int bits = job.options.rgba == RgbaExport::Rgba8 ? 8 : 16;
+        report.exported =
+            terrain::stage_published_set(report.map, bits, out.folder, out.batch, job.shader);
+        out.files.insert(out.files.end(), {"map_rgba.png", "map_ids.txt"});
+    } else if (job.options.shaders) {
+        terrain::stage_shaders(report.map, out.folder, out.batch, job.shader);
+    } else {
         return;
-    report.exported.emplace();
-    const int bits = job.options.rgba == RgbaExport::Rgba8 ? 8 : 16;
-    const terrain::RgbaMap rgba = terrain::pack_map(report.map, bits, &*report.exported);
-    vision::write_rgba_png(out.stage("map_rgba.png"), rgba.picture);
-    const std::string ids = terrain::ids_to_text(rgba.ids, out.folder);
-    write_staged_file(out.stage("map_ids.txt"), std::string_view(ids));
+    }
+    out.files.insert(out.files.end(), shaders.begin(), shaders.end());
 }
 
-void write_shaders(const DescribeJob& job, const DescriptionMap& map, Output& out) {
-    if (!job.options.shaders)
+void write_channels(const DescribeJob& job, const DescriptionMap& map, Output& out) {
+    if (!job.options.channels)
         return;
-    const auto shaders = terrain::ground_shaders(map.materials, map.cell_size, job.shader);
-    write_staged_file(out.stage("ground.frag.glsl"), std::string_view(shaders.fragment));
-    write_staged_file(out.stage("ground.tese.glsl"), std::string_view(shaders.evaluation));
+    using terrain::MapChannel;
+    vision::write_png(out.stage("channel_repose.png"), channel_picture(map, MapChannel::Repose));
+    vision::write_png(out.stage("channel_mobility.png"),
+                      channel_picture(map, MapChannel::Mobility));
+    vision::write_png(out.stage("channel_diffusion.png"),
+                      channel_picture(map, MapChannel::Diffusion));
 }
 
-void write_baked(const DescribeJob& job, const DescriptionMap& map, Output& out) {
+void write_baked(const DescribeJob& job, const DescriptionMap& map, Output& out,
+                 Progress* progress) {
     if (job.options.bake == 0)
         return;
     std::vector<terrain::MaterialPictures> pictures;
@@ -172,7 +185,7 @@ void write_baked(const DescribeJob& job, const DescriptionMap& map, Output& out)
             pictures.back().albedo = out.texture;  // its file has a temporary name still
     }
     const terrain::BakedGround baked = terrain::bake_textures(
-        map, pictures, {.size = job.options.bake, .literal_hat = job.shader.literal_hat});
+        map, pictures, {.size = job.options.bake, .literal_hat = job.shader.literal_hat}, progress);
     vision::write_png(out.stage("ground_albedo.png"), baked.albedo);
     vision::write_data_png(out.stage("ground_normal.png"), baked.normal);
     vision::write_heights_exr(out.stage("ground_height.exr"), baked.displacement);
@@ -213,9 +226,9 @@ DescribeReport run_describe_job(const DescribeJob& job, Progress* progress) {
     if (planes)
         out.files.emplace_back("params.exr");
     vision::write_png(out.stage("description.png"), terrain::description_picture(report.map));
-    write_rgba(job, report, out);
-    write_baked(job, report.map, out);
-    write_shaders(job, report.map, out);
+    write_published(job, report, out);
+    write_channels(job, report.map, out);
+    write_baked(job, report.map, out, progress);
     check_inputs_stay(job, report.map, out);
     stop_if_cancelled(progress, "writing");
     out.batch.commit();

@@ -29,8 +29,9 @@ struct DescribeOptions {
     double cell_size_m = 0.0;  ///< Edge of a map cell; 0: what the files say.
     double width_m = 0.0;      ///< Ground along the photograph's width; 0: what it says itself.
     RgbaExport rgba = RgbaExport::None;
-    int bake = 0;          ///< Pixels of the baked set's longer side; 0: none.
-    bool shaders = false;  ///< Write the shaders of the map.
+    int bake = 0;           ///< Pixels of the baked set's longer side; 0: none.
+    bool shaders = false;   ///< Write the shaders of the map.
+    bool channels = false;  ///< Write a picture of every parameter.
 };
 
 template <class Visitor>
@@ -42,10 +43,11 @@ void describe(DescribeOptions& o, Visitor&& field) {
            .max = 1e6,
            .unit = "m",
            .help = "ground along the photograph's width; 0 asks the metadata"});
-    field("export", o.rgba, {.help = "the published picture and id file too"});
+    field("export", o.rgba, {.help = "the published four files too"});
     field("bake", o.bake,
           {.min = 0, .max = 16384, .unit = "px", .help = "bake the textures at this size; 0: not"});
     field("shaders", o.shaders, {.help = "write shaders that blend the textures"});
+    field("channels", o.channels, {.help = "write a grey picture of every parameter"});
 }
 
 /// Where a map comes from, and where it goes.

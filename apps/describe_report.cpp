@@ -1,6 +1,5 @@
 #include "apps/describe_job.h"
 #include "terrain/material/description_picture.h"
-#include "terrain/material/map_check.h"
 
 #include <cstdio>
 
@@ -53,9 +52,10 @@ std::string describe_text(const DescribeReport& report, const DescribeJob& job) 
         line("%d x %d cells of %.6g m: ", map.ids.width(), map.ids.height(), map.cell_size) +
         job.folder.string() + "\n";
     const std::vector<double> shares = terrain::material_shares(map);
+    const std::vector<glm::u8vec3> legend = terrain::legend_colours(map.materials);
     for (std::size_t i = 0; i < map.materials.size(); ++i) {
         const terrain::Material& material = map.materials[i];
-        const glm::u8vec3 colour = terrain::material_colour(material);
+        const glm::u8vec3 colour = legend[i];
         text += line("  %3d  #%02x%02x%02x  %5.1f %%  ", material.id, colour.x, colour.y, colour.z,
                      100.0 * shares[i]);
         text += material.name;

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace scree::apps {
 namespace {
@@ -92,8 +93,8 @@ RockReport run_photo_job(const PhotoJob& job, Progress* listener) {
     watch.lap();
 
     OutputBatch batch;
-    report.assets = write_rock_assets(found.rocks, {&file.pixels, &found.boundary}, job.folder,
-                                      job.assets, batch, progress);
+    report.assets = write_rock_assets(found.rocks, {&file.pixels, std::move(found.boundary)},
+                                      job.folder, job.assets, batch, progress);
     write_stages(found, job.folder, batch, report.assets);
     report_progress(progress, "writing files", 1.0);
     batch.commit();

@@ -34,7 +34,7 @@ namespace fs = std::filesystem;
 constexpr int kTextureQuality = 90;
 constexpr int kPatchStones = 2000;
 // With more vertices than these the levels are written one after another, to hold one at a time,
-// and pictures are drawn when they are gone.
+// pictures are drawn when they are gone, and the finest level comes last.
 constexpr std::size_t kManyVertices = 2'000'000;
 
 using LodChains = std::vector<std::vector<meshing::LodLevel>>;
@@ -50,7 +50,7 @@ struct Step {
 struct Workshop {
     const vision::RockSet& set;
     const Photo* photo;
-    const FloatRaster* boundary;
+    FloatRaster boundary;  // empty once the relief is made
     const fs::path& folder;
     const AssetOptions& options;
     OutputBatch& batch;
@@ -150,7 +150,10 @@ void write_preview(const Workshop& shop) {
 
 void write_glb(meshing::GltfScene scene, const fs::path& path,
                const meshing::GltfWriteOptions& options) {
-    write_staged_file(path, meshing::encode_glb(std::move(scene), options));
+    StagedFile file(path);
+    meshing::encode_glb(std::move(scene), options,
+                        [&](std::span<const std::uint8_t> bytes) { file.write(bytes); });
+    file.close();
 }
 
 void write_rocks(const Workshop& shop) {
@@ -203,8 +206,8 @@ void bake_heights(Workshop& shop) {
         return;
     }
     const double radius = std::clamp(meshing::typical_radius(shop.set), 1.0, 1e5);
-    const FloatRaster signal = vision::relief_signal(
-        *shop.photo, shop.boundary != nullptr ? *shop.boundary : FloatRaster(), radius);
+    const FloatRaster signal = vision::relief_signal(*shop.photo, shop.boundary, radius);
+    shop.boundary = {};
     shop.labels = paint_set(shop.set);
     shop.heights = meshing::bake_displacement(shop.set, {signal, shop.labels}, shop.options.relief);
 }
@@ -247,8 +250,8 @@ void stage_files(Workshop& shop) {
         shop.stage(name);
 }
 
-// The coarsest first, and each goes when it is written: the largest file is made last, when little
-// else is held.
+// The coarsest first, and each goes when it is written; rocks.glb comes at the very end, when
+// little else is held.
 void write_levels_one_by_one(Workshop& shop) {
     for (std::size_t level = shop.n_levels; --level > 0;) {
         write_level(shop, level);
@@ -257,12 +260,20 @@ void write_levels_one_by_one(Workshop& shop) {
                 if (level < chain.size())
                     chain[level].mesh = {};
     }
-    write_rocks(shop);
+}
+
+void write_rocks_last(Workshop& shop) {
+    if (shop.options.msft_lod)
+        write_rocks(shop);
+    else
+        write_glb(meshing::rock_scene(shop.set, std::move(shop.meshes), std::move(shop.texture)),
+                  shop.staged.at("rocks.glb"),
+                  {.quantise = shop.options.quantise, .reorder = false});
 }
 
 void add_mesh_steps(Workshop& shop, std::vector<Step>& steps) {
     if (shop.has_many_vertices()) {
-        steps.push_back({"rocks", [&shop] { write_levels_one_by_one(shop); }});
+        steps.push_back({"lods", [&shop] { write_levels_one_by_one(shop); }});
     } else {
         steps.push_back({"rocks", [&shop] { write_rocks(shop); }});
         for (std::size_t level = 1; level < shop.n_levels; ++level)
@@ -273,8 +284,11 @@ void add_mesh_steps(Workshop& shop, std::vector<Step>& steps) {
         {"lod list", [&shop] { write_staged_file(shop.staged.at("lods.json"), shop.lod_list); }});
 }
 
-void add_picture_steps(Workshop& shop, std::vector<Step>& steps) {
-    steps.push_back({"preview", [&shop] { write_preview(shop); }});
+Step preview_step(const Workshop& shop) {
+    return {"preview", [&shop] { write_preview(shop); }};
+}
+
+void add_overlay_step(const Workshop& shop, std::vector<Step>& steps) {
     if (shop.photo != nullptr)
         steps.push_back({"overlay", [&shop] {
                              vision::write_png(shop.staged.at("overlay.png"),
@@ -288,8 +302,10 @@ std::vector<Step> last_steps(Workshop& shop) {
     std::vector<Step> steps;
     if (shop.has_rocks())
         steps.push_back({"patch", [&] { write_patch(shop); }});
-    if (!shop.has_many_vertices())
-        add_picture_steps(shop, steps);
+    if (!shop.has_many_vertices()) {
+        steps.push_back(preview_step(shop));
+        add_overlay_step(shop, steps);
+    }
     steps.push_back({"normals", [&, path] {
                          vision::write_data_png(path("normal.png"),
                                                 meshing::normal_map(shop.heights));
@@ -318,9 +334,20 @@ std::vector<Step> last_steps(Workshop& shop) {
     return steps;
 }
 
+// What was put off to hold less: the preview needs the meshes that the last file takes away.
+void finish_thriftily(Workshop& shop) {
+    shop.heights = {};
+    shop.labels = {};
+    run_steps({preview_step(shop)}, "drawing pictures", shop);
+    std::vector<Step> steps;
+    steps.push_back({"rocks", [&shop] { write_rocks_last(shop); }});
+    add_overlay_step(shop, steps);
+    run_steps(std::move(steps), "writing meshes", shop);
+}
+
 }  // namespace
 
-AssetReport write_rock_assets(const vision::RockSet& set, const RockPicture& picture,
+AssetReport write_rock_assets(const vision::RockSet& set, RockPicture picture,
                               const fs::path& folder, const AssetOptions& options,
                               OutputBatch& batch, Progress* progress) {
     check(options);
@@ -329,15 +356,12 @@ AssetReport write_rock_assets(const vision::RockSet& set, const RockPicture& pic
     if (photo != nullptr && (photo->width() != set.width || photo->height() != set.height))
         fail<InvalidInput>("the photograph has ", photo->width(), " x ", photo->height(),
                            " pixels, its rocks were found on ", set.width, " x ", set.height);
-    Workshop shop{set, photo, picture.boundary, folder, options, batch, progress};
+    Workshop shop{set, photo, std::move(picture.boundary), folder, options, batch, progress};
     run_steps(first_steps(shop), "building meshes", shop);
     stage_files(shop);
     run_steps(last_steps(shop), "writing files", shop);
-    if (shop.has_many_vertices()) {
-        std::vector<Step> pictures;
-        add_picture_steps(shop, pictures);
-        run_steps(std::move(pictures), "drawing pictures", shop);
-    }
+    if (shop.has_many_vertices())
+        finish_thriftily(shop);
     return shop.report;
 }
 

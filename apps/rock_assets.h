@@ -41,8 +41,8 @@ void describe(AssetOptions& o, Visitor&& field) {
 
 /// The photograph that the rocks were found on, as far as it is at hand.
 struct RockPicture {
-    const Photo* photo = nullptr;           ///< Null leaves out overlay.png, textures and relief.
-    const FloatRaster* boundary = nullptr;  ///< Of its edge field; sharpens the relief.
+    const Photo* photo = nullptr;  ///< Null leaves out overlay.png, textures and relief.
+    FloatRaster boundary = {};     ///< Of its edge field; sharpens the relief. Let go when read.
 };
 
 /// What was made and what it took.
@@ -63,7 +63,7 @@ struct AssetReport {
 /// The files get their names when the caller commits the batch.
 /// @throw InvalidInput  the set breaks check_rock_set(), or the photograph has another size.
 /// @throw IoError, InvalidOption, Cancelled
-AssetReport write_rock_assets(const vision::RockSet& set, const RockPicture& picture,
+AssetReport write_rock_assets(const vision::RockSet& set, RockPicture picture,
                               const std::filesystem::path& folder, const AssetOptions& options,
                               OutputBatch& batch, Progress* progress = nullptr);
 

@@ -73,18 +73,42 @@ void OutputBatch::commit() {
     made_folders_.clear();
 }
 
-void write_staged_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
-    File file(std::fopen(path.c_str(), "wb"));
-    if (!file)
-        fail<IoError>("cannot write ", path.string(), ": ", std::strerror(errno));
-    const bool written = (bytes.empty() ||  // without bytes the pointer may be null
-                          std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size()) &&
-                         std::fflush(file.get()) == 0;
-    const int reason = errno;
-    const bool closed = std::fclose(file.release()) == 0;
-    if (!written || !closed)
-        fail<IoError>("cannot write ", path.string(), ": ", std::strerror(written ? errno : reason),
+struct StagedFile::State {
+    fs::path path;
+    File file;
+
+    [[noreturn]] void refuse(int reason) const {
+        fail<IoError>("cannot write ", path.string(), ": ", std::strerror(reason),
                       "; free some space or choose another folder");
+    }
+};
+
+StagedFile::StagedFile(const fs::path& path)
+    : state_(std::make_unique<State>(State{path, File(std::fopen(path.c_str(), "wb"))})) {
+    if (!state_->file)
+        fail<IoError>("cannot write ", path.string(), ": ", std::strerror(errno));
+}
+
+StagedFile::~StagedFile() = default;
+
+void StagedFile::write(std::span<const std::uint8_t> bytes) {
+    // Without bytes the pointer may be null.
+    if (!bytes.empty() &&
+        std::fwrite(bytes.data(), 1, bytes.size(), state_->file.get()) != bytes.size())
+        state_->refuse(errno);
+}
+
+void StagedFile::close() {
+    if (std::fflush(state_->file.get()) != 0)
+        state_->refuse(errno);
+    if (std::fclose(state_->file.release()) != 0)
+        state_->refuse(errno);
+}
+
+void write_staged_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
+    StagedFile file(path);
+    file.write(bytes);
+    file.close();
 }
 
 void write_staged_file(const fs::path& path, std::string_view text) {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -48,6 +49,27 @@ void write_whole_file(const std::filesystem::path& path, std::string_view text);
 /// Write to a path that is temporary already (from OutputBatch::stage), checking every byte out.
 void write_staged_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 void write_staged_file(const std::filesystem::path& path, std::string_view text);
+
+/// The same for what is made piece by piece.
+class StagedFile {
+public:
+    /// @throw IoError  the file cannot be opened.
+    explicit StagedFile(const std::filesystem::path& path);
+    ~StagedFile();
+    StagedFile(const StagedFile&) = delete;
+    StagedFile& operator=(const StagedFile&) = delete;
+
+    /// @throw IoError  names the path and the system's reason.
+    void write(std::span<const std::uint8_t> bytes);
+
+    /// The last call; without it the file is not finished.
+    /// @throw IoError  names the path and the system's reason.
+    void close();
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
 
 /// All bytes of a file.
 /// @throw IoError  it cannot be read, is no regular file, or is larger than `max_bytes`.

@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <numbers>
+#include <vector>
 
 namespace scree::vision {
 namespace {
@@ -30,9 +32,7 @@ double share_of(double figure, Ramp ramp) {
     return std::clamp((figure - ramp.none) / (ramp.whole - ramp.none), 0.0, 1.0);
 }
 
-void mark(Mask& near, glm::dvec2 p) {
-    const int x = static_cast<int>(std::floor(p.x));
-    const int y = static_cast<int>(std::floor(p.y));
+void mark(Mask& near, int x, int y) {
     const int left = std::max(0, x - kNearPixels);
     const int right = std::min(near.width() - 1, x + kNearPixels);
     for (int j = std::max(0, y - kNearPixels); j <= std::min(near.height() - 1, y + kNearPixels);
@@ -50,13 +50,21 @@ void mark_outline(Mask& near, const Outline& outline) {
         outline.centre.x - reach > size.x || outline.centre.y - reach > size.y)
         return;
     glm::dvec2 last = border_point(outline, kRadii - 1);
+    int marked_x = std::numeric_limits<int>::min(), marked_y = marked_x;
     for (int k = 0; k < kRadii; ++k) {
         const glm::dvec2 next = border_point(outline, k);
         const double length = std::hypot(next.x - last.x, next.y - last.y);
         // A piece longer than the picture is no border of a rock in it.
         const int steps = std::clamp(static_cast<int>(length / kNearPixels), 1, 4096);
-        for (int i = 0; i < steps; ++i)
-            mark(near, last + (next - last) * (static_cast<double>(i) / steps));
+        for (int i = 0; i < steps; ++i) {
+            const glm::dvec2 p = last + (next - last) * (static_cast<double>(i) / steps);
+            const int x = static_cast<int>(std::floor(p.x));
+            const int y = static_cast<int>(std::floor(p.y));
+            if (x != marked_x || y != marked_y)  // degrees of a small rock share their pixels
+                mark(near, x, y);
+            marked_x = x;
+            marked_y = y;
+        }
         last = next;
     }
 }
@@ -77,23 +85,27 @@ double explained_share(const FloatRaster& boundary, const std::vector<Rock>& roc
 
 // Twice the azimuth of the long axis as a direction, as long as the outline is elongated: what the
 // second harmonic of the squared radii says.
-glm::dvec2 long_axis(const Outline& outline) {
+glm::dvec2 long_axis(const Outline& outline, const std::vector<glm::dvec2>& twice) {
     glm::dvec2 sum(0.0);
     double total = 0.0;
     for (int k = 0; k < kRadii; ++k) {
         const auto r = static_cast<double>(outline.radii[static_cast<std::size_t>(k)]);
-        const double twice = 2.0 * k * std::numbers::pi / 180.0;
-        sum += r * r * glm::dvec2(std::cos(twice), std::sin(twice));
+        sum += r * r * twice[static_cast<std::size_t>(k)];
         total += r * r;
     }
     return sum / std::max(1e-12, total);
 }
 
 double alignment_of(const std::vector<Rock>& rocks) {
+    std::vector<glm::dvec2> twice;  // the directions at twice the azimuth of every degree
+    for (int k = 0; k < kRadii; ++k) {
+        const double angle = 2.0 * k * std::numbers::pi / 180.0;
+        twice.emplace_back(std::cos(angle), std::sin(angle));
+    }
     glm::dvec2 sum(0.0);
     double lengths = 0.0;
     for (const Rock& rock : rocks) {
-        const glm::dvec2 axis = long_axis(rock.outline);
+        const glm::dvec2 axis = long_axis(rock.outline, twice);
         sum += axis;
         lengths += std::hypot(axis.x, axis.y);
     }

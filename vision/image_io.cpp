@@ -2,9 +2,12 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "base/parallel.h"
 #include "base/whole_file.h"
 #include "vision/exif_orientation.h"
+#include "vision/exr_writer.h"
 #include "vision/picture_header.h"
+#include "vision/png_encoder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +20,7 @@
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
+#include <glm/common.hpp>
 
 namespace scree::vision {
 namespace {
@@ -155,15 +159,16 @@ std::vector<std::uint8_t> encoded(const std::string& name, OIIO::ImageSpec spec,
     return bytes;
 }
 
-void write_pixels(const fs::path& path, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
-                  const void* pixels) {
-    write_staged_file(path, encoded(path.string(), spec, type, pixels));
+template <class T>
+PngPicture png_of(const Raster<T>& picture, int n_channels, int bits) {
+    return {static_cast<std::size_t>(picture.width()), static_cast<std::size_t>(picture.height()),
+            n_channels, bits, picture.data()};
 }
 
-OIIO::ImageSpec png_spec(int width, int height, int n_channels, OIIO::TypeDesc type) {
-    OIIO::ImageSpec spec(width, height, n_channels, type);
-    spec["png:compressionLevel"] = 3;  // half the time of the default for a few percent in size
-    return spec;
+void write_encoded(const fs::path& path, const PngPicture& picture) {
+    if (picture.width == 0 || picture.height == 0)
+        fail<IoError>("cannot write ", path.string(), ": a picture needs pixels");
+    write_staged_file(path, encode_png(picture));
 }
 
 std::string exact(double value) {
@@ -272,38 +277,29 @@ std::vector<NamedPlane> read_planes(const fs::path& path, const ReadLimits& limi
 }
 
 void write_png(const fs::path& path, const Photo& picture) {
-    OIIO::ImageSpec spec = png_spec(picture.width(), picture.height(), 3, OIIO::TypeDesc::UINT8);
-    spec["png:compressionLevel"] = 1;  // of photographs, with the averaging filter: half the time
-    spec["png:filter"] = 0x40;         // of libpng's own choice at the same size
-    spec["oiio:ColorSpace"] = "sRGB";
-    write_pixels(path, spec, OIIO::TypeDesc::UINT8, picture.data());
+    PngPicture png = png_of(picture, 3, 8);
+    png.is_srgb = true;
+    write_encoded(path, png);
 }
 
 void write_data_png(const fs::path& path, const Photo& picture) {
-    OIIO::ImageSpec spec = png_spec(picture.width(), picture.height(), 3, OIIO::TypeDesc::UINT8);
-    spec["png:compressionLevel"] = 1;
-    spec["png:filter"] = 0x40;
-    write_pixels(path, spec, OIIO::TypeDesc::UINT8, picture.data());
+    write_encoded(path, png_of(picture, 3, 8));
 }
 
 void write_png(const fs::path& path, const Raster<std::uint8_t>& picture) {
-    write_pixels(path, png_spec(picture.width(), picture.height(), 1, OIIO::TypeDesc::UINT8),
-                 OIIO::TypeDesc::UINT8, picture.data());
+    write_encoded(path, png_of(picture, 1, 8));
 }
 
 void write_labels(const fs::path& path, const LabelMap& labels) {
-    write_pixels(path, png_spec(labels.width(), labels.height(), 1, OIIO::TypeDesc::UINT16),
-                 OIIO::TypeDesc::UINT16, labels.data());
+    PngPicture png = png_of(labels, 1, 16);
+    png.filter = PngFilter::Above;
+    write_encoded(path, png);
 }
 
 void write_heights_exr(const fs::path& path, const HeightImage& heights) {
-    OIIO::ImageSpec spec(heights.metres.width(), heights.metres.height(), 1, OIIO::TypeDesc::FLOAT);
-    spec.channelnames = {"Y"};
-    spec["compression"] = "zip";
-    spec.attribute(kScale, OIIO::TypeDesc::DOUBLE, &heights.metres_per_pixel);
-    spec["ImageDescription"] = "heights in metres";
-    spec["DateTime"] = "1970:01:01 00:00:00";  // else the present: same heights, other bytes
-    write_pixels(path, spec, OIIO::TypeDesc::FLOAT, heights.metres.data());
+    if (heights.metres.empty())
+        fail<IoError>("cannot write ", path.string(), ": a picture needs pixels");
+    write_exr(path, heights.metres, heights.metres_per_pixel);
 }
 
 void write_heights_png(const fs::path& path, const HeightImage& heights) {
@@ -311,33 +307,28 @@ void write_heights_png(const fs::path& path, const HeightImage& heights) {
     const float base = heights.metres.empty() ? 0.0F : *low;
     const float span = heights.metres.empty() || *high <= base ? 1.0F : *high - base;
     Raster<std::uint16_t> coded(heights.metres.width(), heights.metres.height());
-    std::transform(heights.metres.begin(), heights.metres.end(), coded.begin(), [&](float h) {
-        return static_cast<std::uint16_t>(std::lround(65535.0F * (h - base) / span));
+    parallel_for(0, coded.size(), 1 << 16, [&](std::size_t first, std::size_t last) {
+        const float* in = heights.metres.data();
+        for (std::size_t i = first; i < last; ++i)
+            coded.data()[i] = static_cast<std::uint16_t>(65535.0F * ((in[i] - base) / span) + 0.5F);
     });
-    OIIO::ImageSpec spec = png_spec(coded.width(), coded.height(), 1, OIIO::TypeDesc::UINT16);
-    spec[kLow] = exact(base);
-    spec[kHigh] = exact(static_cast<double>(base) + span);
-    spec[kScale] = exact(heights.metres_per_pixel);
-    write_pixels(path, spec, OIIO::TypeDesc::UINT16, coded.data());
+    PngPicture png = png_of(coded, 1, 16);
+    png.texts = {{kLow, exact(double{base})},
+                 {kHigh, exact(double{base} + double{span})},
+                 {kScale, exact(heights.metres_per_pixel)}};
+    write_encoded(path, png);
 }
 
 void write_rgba_png(const fs::path& path, const RgbaImage& picture) {
     const Raster<glm::u16vec4>& values = picture.values;
-    const bool wide = picture.bits == 16;
-    OIIO::ImageSpec spec = png_spec(values.width(), values.height(), 4,
-                                    wide ? OIIO::TypeDesc::UINT16 : OIIO::TypeDesc::UINT8);
-    spec.alpha_channel = 3;
-    spec["oiio:UnassociatedAlpha"] = 1;  // else the writer divides the other channels by alpha
-    if (wide) {
-        write_pixels(path, spec, OIIO::TypeDesc::UINT16, values.data());
+    if (picture.bits == 16) {
+        write_encoded(path, png_of(values, 4, 16));
         return;
     }
-    std::vector<std::uint8_t> bytes;
-    bytes.reserve(4 * values.size());
-    for (const glm::u16vec4& value : values)
-        for (int c = 0; c < 4; ++c)
-            bytes.push_back(static_cast<std::uint8_t>(std::min<int>(value[c], 255)));
-    write_pixels(path, spec, OIIO::TypeDesc::UINT8, bytes.data());
+    Raster<glm::u8vec4> bytes(values.width(), values.height());
+    for (std::size_t i = 0; i < values.size(); ++i)
+        bytes.data()[i] = glm::u8vec4(glm::min(values.data()[i], glm::u16vec4(255)));
+    write_encoded(path, png_of(bytes, 4, 8));
 }
 
 void write_planes_exr(const fs::path& path, std::span<const NamedPlane> planes) {
@@ -359,13 +350,43 @@ void write_planes_exr(const fs::path& path, std::span<const NamedPlane> planes) 
     spec.alpha_channel = -1;
     spec["compression"] = "zip";
     spec["DateTime"] = "1970:01:01 00:00:00";  // else the present: same planes, other bytes
-    write_pixels(path, spec, OIIO::TypeDesc::FLOAT, values.data());
+    write_staged_file(path, encoded(path.string(), spec, OIIO::TypeDesc::FLOAT, values.data()));
 }
 
 std::vector<std::uint8_t> encode_jpeg(const Photo& picture, int quality) {
     OIIO::ImageSpec spec(picture.width(), picture.height(), 3, OIIO::TypeDesc::UINT8);
     spec["Compression"] = "jpeg:" + std::to_string(std::clamp(quality, 1, 100));
     return encoded("texture.jpg", spec, OIIO::TypeDesc::UINT8, picture.data());
+}
+
+void write_gif(const fs::path& path, std::span<const Photo> pictures, double frames_per_second) {
+    if (pictures.empty() || pictures[0].empty() || !(frames_per_second > 0.0))
+        fail<InvalidInput>("an animation of ", pictures.size(), " pictures at ", frames_per_second,
+                           " frames a second cannot be written");
+    for (const Photo& picture : pictures)
+        if (picture.width() != pictures[0].width() || picture.height() != pictures[0].height())
+            fail<InvalidInput>("the pictures of an animation have different sizes");
+    OIIO::ImageSpec spec(pictures[0].width(), pictures[0].height(), 3, OIIO::TypeDesc::UINT8);
+    // Hundredths of a second are all that the format can say.
+    const int hundredths =
+        static_cast<int>(std::lround(std::clamp(100.0 / frames_per_second, 2.0, 1000.0)));
+    const int rate[2] = {100, hundredths};
+    spec.attribute(
+        "FramesPerSecond",
+        OIIO::TypeDesc(OIIO::TypeDesc::INT, OIIO::TypeDesc::VEC2, OIIO::TypeDesc::RATIONAL), rate);
+    spec.attribute("oiio:Movie", 1);
+    spec.attribute("gif:LoopCount", 0);
+    OIIO::geterror();  // forget what earlier calls on this thread left
+    const auto output = OIIO::ImageOutput::create("gif");
+    if (!output)
+        fail<IoError>("cannot write ", path.string(), ": ", one_line(OIIO::geterror()));
+    const std::vector<OIIO::ImageSpec> specs(pictures.size(), spec);
+    bool sound = output->open(path.string(), static_cast<int>(specs.size()), specs.data());
+    for (std::size_t i = 0; sound && i < pictures.size(); ++i)
+        sound = (i == 0 || output->open(path.string(), spec, OIIO::ImageOutput::AppendSubimage)) &&
+                output->write_image(OIIO::TypeDesc::UINT8, pictures[i].data());
+    if (!sound || !output->close())
+        fail<IoError>("cannot write ", path.string(), ": ", one_line(output->geterror()));
 }
 
 }  // namespace scree::vision

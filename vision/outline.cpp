@@ -37,34 +37,43 @@ void check_outline(const Outline& outline, std::size_t index) {
                            " has a centre or radius that is not a positive number");
 }
 
-// Half-open rows and even-odd crossings, so that a pixel centre on a shared border is painted once.
-void paint(const Outline& outline, std::uint16_t label, LabelMap& labels,
-           std::vector<double>& crossings) {
-    const float reach = *std::max_element(outline.radii.begin(), outline.radii.end());
-    const int first = std::max(0, static_cast<int>(std::floor(outline.centre.y - reach)));
-    const int last =
-        std::min(labels.height() - 1, static_cast<int>(std::ceil(outline.centre.y + reach)));
-    std::array<glm::dvec2, kRadii> points;
-    for (int k = 0; k < kRadii; ++k)
-        points[static_cast<std::size_t>(k)] = border_point(outline, k);
-    for (int y = first; y <= last; ++y) {
-        const double level = y + 0.5;
-        crossings.clear();
-        for (std::size_t k = 0; k < kRadii; ++k) {
-            const glm::dvec2 a = points[k];
-            const glm::dvec2 b = points[(k + 1) % kRadii];
+// Where the outline crosses the middle of a row.
+struct Crossing {
+    int y;
+    double x;
+
+    bool operator<(const Crossing& o) const { return y != o.y ? y < o.y : x < o.x; }
+};
+
+void find_crossings(const Outline& outline, int height, std::vector<Crossing>& crossings) {
+    crossings.clear();
+    glm::dvec2 a = border_point(outline, kRadii - 1);
+    for (int k = 0; k < kRadii; ++k) {
+        const glm::dvec2 b = border_point(outline, k);
+        const double low = std::clamp(std::min(a.y, b.y) - 0.5, 0.0, static_cast<double>(height));
+        const double high = std::max(a.y, b.y) - 0.5;
+        for (int y = static_cast<int>(low); y < height && y <= high; ++y) {
+            const double level = y + 0.5;
             if ((a.y <= level) != (b.y <= level))
-                crossings.push_back(a.x + (level - a.y) / (b.y - a.y) * (b.x - a.x));
+                crossings.push_back({y, a.x + (level - a.y) / (b.y - a.y) * (b.x - a.x)});
         }
-        std::sort(crossings.begin(), crossings.end());
-        for (std::size_t c = 0; c + 1 < crossings.size(); c += 2) {
-            const int from = std::max(0, static_cast<int>(std::ceil(crossings[c] - 0.5)));
-            const int to =
-                std::min(labels.width(), static_cast<int>(std::ceil(crossings[c + 1] - 0.5)));
-            for (int x = from; x < to; ++x)
-                if (labels(x, y) == 0)
-                    labels(x, y) = label;
-        }
+        a = b;
+    }
+    std::sort(crossings.begin(), crossings.end());
+}
+
+// Half-open rows and even-odd crossings, so that a pixel centre on a shared border is painted once.
+// An outline is closed: every row is crossed an even number of times.
+void paint(const Outline& outline, std::uint16_t label, LabelMap& labels,
+           std::vector<Crossing>& crossings) {
+    find_crossings(outline, labels.height(), crossings);
+    for (std::size_t c = 0; c + 1 < crossings.size(); c += 2) {
+        const int from = std::max(0, static_cast<int>(std::ceil(crossings[c].x - 0.5)));
+        const int to =
+            std::min(labels.width(), static_cast<int>(std::ceil(crossings[c + 1].x - 0.5)));
+        std::uint16_t* row = labels.row(crossings[c].y);
+        for (int x = from; x < to; ++x)
+            row[x] = row[x] == 0 ? label : row[x];
     }
 }
 
@@ -102,7 +111,7 @@ LabelMap paint_labels(const std::vector<Outline>& outlines, int width, int heigh
     if (outlines.size() > 65535)
         fail<InvalidInput>("a label map holds 65535 rocks at most, got ", outlines.size());
     LabelMap labels(width, height);
-    std::vector<double> crossings;
+    std::vector<Crossing> crossings;
     for (std::size_t i = 0; i < outlines.size(); ++i) {
         check_outline(outlines[i], i);
         paint(outlines[i], static_cast<std::uint16_t>(i + 1), labels, crossings);

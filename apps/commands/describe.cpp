@@ -37,6 +37,10 @@ void check_sources(const DescribeJob& job) {
         fail<UsageError>(
             "one of --map, --ids, --labels, --rules, --import and --strokes is needed; "
             "only --strokes goes with another");
+    if (job.options.cell_size_m > 0.0 && (!job.labels.empty() || n_sources == 0))
+        fail<UsageError>("--cell-size-m does not go with ",
+                         n_sources == 0 ? "a script's own ground, which says it"
+                                        : "--labels; --pixels-per-cell says it there");
     const bool table = !job.rules.empty() || n_sources == 0;
     if (table && job.materials.empty())
         fail<UsageError>("--rules and --strokes need --materials beside them");

@@ -46,6 +46,10 @@ void check_scene(const GltfScene& scene) {
         check_mesh(mesh);
         if (mesh.triangles.empty())
             fail<InvalidInput>("mesh ", i, " (", scene.meshes[i].name, ") has no triangles");
+        const std::size_t n_colours = scene.meshes[i].colours.size();
+        if (n_colours != 0 && n_colours != mesh.positions.size())
+            fail<InvalidInput>("mesh ", i, " has ", mesh.positions.size(), " vertices but ",
+                               n_colours, " colours");
         for (const glm::vec2& t : mesh.texcoords)
             if (!std::isfinite(t.x) || !std::isfinite(t.y))
                 fail<InvalidInput>("mesh ", i, " has a texture coordinate that is no number");

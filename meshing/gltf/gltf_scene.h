@@ -29,6 +29,7 @@ struct GltfExtra {
 struct GltfMesh {
     std::string name;
     TriMesh geometry;  ///< Texture coordinates are written if the scene has a texture.
+    std::vector<glm::u8vec3> colours = {};  ///< One a vertex or none, as a screen shows them.
 };
 
 /// A named object of the scene.

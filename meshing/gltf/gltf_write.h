@@ -4,6 +4,8 @@
 #include "meshing/gltf/gltf_scene.h"
 
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <vector>
 
 namespace scree::meshing {
@@ -30,8 +32,16 @@ void describe(GltfWriteOptions& o, Visitor&& field) {
 /// that a reader must know are listed as required; coarser nodes are named by
 /// MSFT_lod, which a reader may ignore. A scene that is moved here costs least memory: its meshes
 /// go as they are written.
-/// @throw InvalidInput  check_scene() fails, the texture is no JPEG or PNG, or the file would pass
+/// @throw InvalidInput  check_scene() fails, a mesh with colours shall be reordered, the texture is
+/// no JPEG or PNG, or the file would pass
 ///        2 GiB.
 std::vector<std::uint8_t> encode_glb(GltfScene scene, const GltfWriteOptions& options = {});
+
+/// Takes the next bytes of a file.
+using GlbSink = std::function<void(std::span<const std::uint8_t> bytes)>;
+
+/// The same file handed over piece by piece, so that a large one never lies in memory whole.
+/// Nothing is handed over where the scene is refused.
+void encode_glb(GltfScene scene, const GltfWriteOptions& options, const GlbSink& sink);
 
 }  // namespace scree::meshing

@@ -98,9 +98,20 @@ void encode_indices(const TriMesh& mesh, EncodedMesh& out) {
 
 }  // namespace
 
-void EncodedMesh::release() {
-    for (std::vector<std::uint8_t>* bytes : {&positions, &normals, &texcoords, &indices})
-        *bytes = {};
+std::vector<std::uint8_t> encode_colours(const std::vector<glm::u8vec3>& colours) {
+    const auto linear = [](std::uint8_t coded) {
+        const double c = coded / 255.0;
+        const double light = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+        return static_cast<std::uint8_t>(std::lround(255.0 * light));
+    };
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(4 * colours.size());
+    for (const glm::u8vec3& c : colours) {
+        for (int k = 0; k < 3; ++k)
+            bytes.push_back(linear(c[k]));
+        bytes.push_back(255);
+    }
+    return bytes;
 }
 
 EncodedMesh encode_mesh(TriMesh mesh, const EncodingOptions& options) {

@@ -75,13 +75,13 @@ GltfScene empty_scene(const vision::RockSet& set, const char* name,
 }
 
 void add_rock(GltfScene& scene, const vision::RockSet& set, const RockMesh& rock,
-              const TriMesh& geometry) {
+              TriMesh geometry) {
     GltfNode node;
     node.name = rock_name(rock.source);
     node.mesh = static_cast<int>(scene.meshes.size());
     node.transform.translation = rock.position;
     node.extras = rock_extras(set, rock);
-    scene.meshes.push_back({node.name, geometry});
+    scene.meshes.push_back({node.name, std::move(geometry)});
     scene.nodes.push_back(std::move(node));
 }
 
@@ -142,6 +142,16 @@ GltfScene rock_scene(const vision::RockSet& set, const std::vector<RockMesh>& ro
     GltfScene scene = empty_scene(set, "rocks", std::move(texture));
     for (const RockMesh& rock : rocks)
         add_rock(scene, set, rock, rock.mesh);
+    return scene;
+}
+
+GltfScene rock_scene(const vision::RockSet& set, std::vector<RockMesh>&& rocks,
+                     std::vector<std::uint8_t> texture) {
+    check_sources(set, rocks);
+    GltfScene scene = empty_scene(set, "rocks", std::move(texture));
+    for (RockMesh& rock : rocks)
+        add_rock(scene, set, rock, std::move(rock.mesh));
+    rocks.clear();
     return scene;
 }
 

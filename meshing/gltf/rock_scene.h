@@ -25,6 +25,11 @@ std::string rock_name(std::size_t index);
 GltfScene rock_scene(const vision::RockSet& set, const std::vector<RockMesh>& rocks,
                      std::vector<std::uint8_t> texture = {});
 
+/// The same, taking the meshes out of the rocks: a large scene lies in memory once. `rocks` is
+/// empty afterwards.
+GltfScene rock_scene(const vision::RockSet& set, std::vector<RockMesh>&& rocks,
+                     std::vector<std::uint8_t> texture = {});
+
 /// The same with each rock at `level` of its chain, or at its last if it is shorter. Level 0 is the
 /// rock's own mesh, whatever the chain holds there.
 /// @throw InvalidInput  there is not one chain with a level for each rock.

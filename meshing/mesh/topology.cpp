@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <numeric>
+#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -199,6 +200,49 @@ TopologyReport report_without_half_edges(const TriMesh& mesh, const TriMesh& wel
     return report;
 }
 
+// The side of a triangle that a vertex looks at.
+struct Opposite {
+    std::uint32_t from;
+    std::uint32_t to;
+};
+
+bool is_one_ring(std::span<const Opposite> sides) {
+    std::size_t at = 0;
+    for (std::size_t n_seen = 1; n_seen <= sides.size(); ++n_seen) {
+        const auto next = std::find_if(sides.begin(), sides.end(), [&](const Opposite& side) {
+            return side.from == sides[at].to;
+        });
+        if (next == sides.end())
+            return false;
+        at = static_cast<std::size_t>(next - sides.begin());
+        if (at == 0)
+            return n_seen == sides.size();
+    }
+    return false;
+}
+
+// Whether the triangles around every place form one ring: then the mesh is closed, oriented and
+// manifold. A quick look that says no as well where very many triangles meet.
+bool is_plainly_closed(const TriMesh& welded) {
+    constexpr std::uint32_t kMostAtAPlace = 64;
+    std::vector<std::uint32_t> end(welded.positions.size() + 1, 0);
+    for (const glm::uvec3& t : welded.triangles)
+        for (int k = 0; k < 3; ++k)
+            ++end[t[k] + 1];
+    if (std::any_of(end.begin(), end.end(), [](std::uint32_t n) { return n > kMostAtAPlace; }))
+        return false;
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    std::vector<Opposite> sides(3 * welded.triangles.size());
+    for (const glm::uvec3& t : welded.triangles)
+        for (int k = 0; k < 3; ++k)
+            sides[end[t[k]]++] = {t[(k + 1) % 3], t[(k + 2) % 3]};
+    std::size_t first = 0;
+    for (std::size_t place = 0; place < welded.positions.size(); first = end[place++])
+        if (first < end[place] && !is_one_ring(std::span(sides).subspan(first, end[place] - first)))
+            return false;
+    return true;
+}
+
 }  // namespace
 
 TopologyReport analyse_topology(const TriMesh& mesh) {
@@ -222,11 +266,14 @@ TopologyReport analyse_topology(const TriMesh& mesh) {
 
 std::string solid_defect(const TriMesh& mesh) {
     check_mesh(mesh);
-    const TriMesh welded = weld(mesh);
-    Fans fans(3 * welded.triangles.size());
-    const TopologyReport report = report_without_half_edges(mesh, welded, fans);
     if (mesh.triangles.empty())
         return "the mesh has no triangle";
+    const TriMesh welded = weld(mesh);
+    if (welded.triangles.size() == mesh.triangles.size() && count_thin(welded) == 0 &&
+        is_plainly_closed(welded) && signed_volume(mesh) > 0.0)
+        return {};
+    Fans fans(3 * welded.triangles.size());
+    const TopologyReport report = report_without_half_edges(mesh, welded, fans);
     if (report.n_collapsed > 0)
         return std::to_string(report.n_collapsed) + " triangles name one place twice";
     if (report.n_thin > 0)

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <glm/ext/vector_uint3_sized.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 

@@ -22,22 +22,29 @@ void drop_collapsed(TriMesh& mesh) {
     });
 }
 
-LodLevel simplify(const TriMesh& full, std::size_t n_triangles, double max_error) {
-    const float* positions = &full.positions.front().x;
-    const unsigned int* triangles = &full.triangles.front().x;
-    const std::size_t n_vertices = full.positions.size();
-    constexpr std::size_t kStride = sizeof(glm::vec3);
-    std::vector<unsigned int> indices(3 * full.triangles.size());
+double greatest_side(const TriMesh& mesh) {
+    return static_cast<double>(
+        meshopt_simplifyScale(&mesh.positions.front().x, mesh.positions.size(), sizeof(glm::vec3)));
+}
+
+// Each level is made of the one before. The simplifier's error is the root of a mean square of
+// distances; those of one step say nothing of those of the next, so their squares add up.
+LodLevel simplify(const LodLevel& finer, std::size_t n_triangles, double most_error) {
+    const TriMesh& mesh = finer.mesh;
+    const double scale = greatest_side(mesh);
+    const double left = most_error * most_error - finer.error * finer.error;
+    const double allowed = std::sqrt(std::max(0.0, left)) / scale;
+    std::vector<unsigned int> indices(3 * mesh.triangles.size());
     float error = 0.0F;
     const std::size_t n_indices =
-        meshopt_simplify(indices.data(), triangles, indices.size(), positions, n_vertices, kStride,
-                         3 * n_triangles, static_cast<float>(max_error), 0, &error);
+        meshopt_simplify(indices.data(), &mesh.triangles.front().x, indices.size(),
+                         &mesh.positions.front().x, mesh.positions.size(), sizeof(glm::vec3),
+                         3 * n_triangles, static_cast<float>(allowed), 0, &error);
     LodLevel level;
-    level.error = static_cast<double>(error) *
-                  static_cast<double>(meshopt_simplifyScale(positions, n_vertices, kStride));
-    level.mesh.positions = full.positions;
-    level.mesh.normals = full.normals;
-    level.mesh.texcoords = full.texcoords;
+    level.error = std::hypot(finer.error, static_cast<double>(error) * scale);
+    level.mesh.positions = mesh.positions;
+    level.mesh.normals = mesh.normals;
+    level.mesh.texcoords = mesh.texcoords;
     level.mesh.triangles.reserve(n_indices / 3);
     for (std::size_t i = 0; i < n_indices; i += 3)
         level.mesh.triangles.emplace_back(indices[i], indices[i + 1], indices[i + 2]);
@@ -57,20 +64,19 @@ std::vector<LodLevel> build_lod_chain(const TriMesh& mesh, const LodOptions& opt
     const bool solid = solid_defect(full.mesh).empty();
 
     std::vector<LodLevel> chain(1, std::move(full));
+    const double most_error = options.max_error * greatest_side(chain[0].mesh);
     auto wanted = static_cast<double>(chain[0].mesh.triangles.size());
     while (static_cast<int>(chain.size()) < options.levels) {
         wanted *= options.ratio;
         if (wanted < options.min_triangles)
             break;
-        LodLevel level =
-            simplify(chain[0].mesh, static_cast<std::size_t>(wanted), options.max_error);
+        LodLevel level = simplify(chain.back(), static_cast<std::size_t>(wanted), most_error);
         const std::size_t n_triangles = level.mesh.triangles.size();
         if (n_triangles >= chain.back().mesh.triangles.size() ||
             static_cast<int>(n_triangles) < options.min_triangles ||
             (solid && !solid_defect(level.mesh).empty()))
             break;
         optimise_for_gpu(level.mesh);
-        level.error = std::max(level.error, chain.back().error);
         chain.push_back(std::move(level));
     }
     return chain;

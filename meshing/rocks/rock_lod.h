@@ -29,11 +29,11 @@ void describe(LodOptions& o, Visitor&& field) {
 /// One level of detail.
 struct LodLevel {
     TriMesh mesh;
-    double error = 0.0;  ///< How far the surface moved from the full mesh, metres, as the
-                         ///< simplifier's quadrics estimate it; grows from level to level.
+    double error = 0.0;  ///< How far the surface moved from the full mesh, metres: what the
+                         ///< simplifier's quadrics estimate of each step, added as squares.
 };
 
-/// The mesh and ever coarser ones, each simplified from the full mesh by edge collapses onto
+/// The mesh and ever coarser ones, each simplified from the one before by edge collapses onto
 /// vertices that were there, so that normals and texture coordinates stay those of the photograph.
 ///
 /// Level 0 is the mesh itself, in the order that optimise_for_gpu() gives and without triangles

@@ -6,12 +6,14 @@
 #include <array>
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/trigonometric.hpp>
 
 namespace scree::terrain {
 namespace {
 
 constexpr int kMaxScale = 64;
+constexpr int kNear = 60;      // sum of the differences of channels
 constexpr double kEdge = 0.7;  // brightness of edges between materials
 
 std::uint8_t scaled(std::uint8_t value, double factor) {
@@ -48,22 +50,65 @@ void draw_cell(const DescriptionMap& map, int x, int y, glm::u8vec3 colour, int 
         }
 }
 
+bool is_near(glm::u8vec3 a, const std::vector<glm::u8vec3>& others) {
+    return std::any_of(others.begin(), others.end(), [a](glm::u8vec3 b) {
+        const glm::ivec3 d = glm::abs(glm::ivec3(a) - glm::ivec3(b));
+        return d.x + d.y + d.z < kNear;
+    });
+}
+
 }  // namespace
+
+std::vector<glm::u8vec3> legend_colours(const std::vector<Material>& materials) {
+    std::vector<glm::u8vec3> colours;
+    for (const Material& material : materials) {
+        glm::u8vec3 colour = material_colour(material);
+        Material other;
+        other.id = material.id;
+        for (int tries = 0; tries < 16 && is_near(colour, colours); ++tries, ++other.id)
+            colour = material_colour(other);
+        colours.push_back(colour);
+    }
+    return colours;
+}
 
 Photo description_picture(const DescriptionMap& map, int least_size) {
     check_map(map, "the map to show");
     const int longer = std::max(map.ids.width(), map.ids.height());
     const int scale = std::clamp((least_size + longer - 1) / longer, 1, kMaxScale);
     const std::array<int, 256> slots = slots_of_ids(map.materials);
+    const std::vector<glm::u8vec3> legend = legend_colours(map.materials);
     Photo picture(map.ids.width() * scale, map.ids.height() * scale);
     for (int y = 0; y < map.ids.height(); ++y)
         for (int x = 0; x < map.ids.width(); ++x) {
             const auto slot = static_cast<std::size_t>(slots[map.ids(x, y)]);
             const Material& material = map.materials[slot];
-            const glm::u8vec3 colour =
-                scaled(material_colour(material), brightness(map, material, x, y));
+            const glm::u8vec3 colour = scaled(legend[slot], brightness(map, material, x, y));
             draw_cell(map, x, y, colour, scale, picture);
         }
+    return picture;
+}
+
+Raster<std::uint8_t> channel_picture(const DescriptionMap& map, MapChannel channel) {
+    check_map(map, "the map to show");
+    const std::array<int, 256> slots = slots_of_ids(map.materials);
+    const auto value = [&](std::size_t cell) {
+        const Soil& soil =
+            map.materials[static_cast<std::size_t>(slots[map.ids.data()[cell]])].soil;
+        const auto own = [cell](const FloatRaster& plane, double otherwise) {
+            return plane.empty() ? otherwise : double{plane.data()[cell]};
+        };
+        if (channel == MapChannel::Repose)
+            return own(map.repose, glm::radians(soil.repose_deg));
+        return channel == MapChannel::Mobility ? own(map.mobility, soil.mobility)
+                                               : own(map.diffusion, soil.diffusion);
+    };
+    double white = channel == MapChannel::Repose ? glm::radians(90.0) : 0.0;
+    for (std::size_t i = 0; i < map.ids.size(); ++i)
+        white = std::max(white, value(i));
+    Raster<std::uint8_t> picture(map.ids.width(), map.ids.height());
+    for (std::size_t i = 0; i < picture.size() && white > 0.0; ++i)
+        picture.data()[i] = static_cast<std::uint8_t>(std::lround(255.0 * value(i) / white));
     return picture;
 }
 

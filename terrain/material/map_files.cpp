@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void take_planes(DescriptionMap& map, const fs::path& path) {
-    for (vision::NamedPlane& plane : vision::read_planes(path, {.max_pixels = kMaxMapCells})) {
+    for (vision::NamedPlane& plane : vision::read_planes(path, {.max_pixels = 3 * kMaxMapCells})) {
         if (plane.name == "repose")
             map.repose = std::move(plane.values);
         else if (plane.name == "mobility")

@@ -69,7 +69,10 @@ std::string tables(const std::vector<Material>& materials, double cell_size, boo
         return text + constant("float", "SCREE_LAST", last, number);
     }
     const FadeTable fades = fade_table(materials);
-    text += constant("int", "SCREE_SLOT", fades.slots,
+    const std::vector<int> slots(fades.slots.begin(),
+                                 fades.slots.begin() + materials.back().id + 1);
+    text += "const int SCREE_LAST_ID = " + std::to_string(materials.back().id) + ";\n";
+    text += constant("int", "SCREE_SLOT", slots,
                      [](int slot) { return std::to_string(slot < 0 ? 0 : slot); });
     text += constant("float", "SCREE_LOW", fades.low, number);
     return text + constant("float", "SCREE_HIGH", fades.high, number);
@@ -105,7 +108,7 @@ ScreeBlend scree_blend(vec2 ground) {
         float wx = k % 2 == 0 ? 1.0 - f.x : f.x;
         float wy = k < 2 ? 1.0 - f.y : f.y;
         ivec2 cell = clamp(ivec2(corner) + ivec2(k % 2, k / 2), ivec2(0), last);
-        int slot = SCREE_SLOT[int(texelFetch(scree_ids, cell, 0).r) & 255];
+        int slot = SCREE_SLOT[min(int(texelFetch(scree_ids, cell, 0).r), SCREE_LAST_ID)];
         int at = 0;
         while (at < plain.count && plain.slots[at] != slot)
             ++at;

@@ -54,6 +54,9 @@ inline constexpr std::size_t kMaxStrokesBytes = std::size_t{1} << 30;
 /// @throw InvalidInput  names `source` and the JSON path.
 StrokeScript strokes_from_json(std::string_view text, const std::string& source,
                                const std::vector<Material>& materials);
+/// The script as text that reads back as the same script, materials by id.
+std::string strokes_to_json(const StrokeScript& script);
+
 /// @throw IoError, InvalidInput
 StrokeScript read_strokes(const std::filesystem::path& path,
                           const std::vector<Material>& materials);

@@ -1,7 +1,9 @@
 #include "base/error.h"
+#include "base/number_text.h"
 #include "base/whole_file.h"
 #include "terrain/material/map_check.h"
-#include "terrain/material/strict_json.h"
+#include "terrain/json/strict_json.h"
+#include "terrain/material/material_reference.h"
 #include "terrain/material/strokes.h"
 
 namespace scree::terrain {
@@ -11,6 +13,8 @@ using nlohmann::json;
 
 constexpr double kMaxLength = 1e6;
 constexpr std::size_t kLargestStroke = 4 * kMaxStrokePoints + 64;  // values and ends of lists
+
+constexpr std::string_view kKindNames[] = {"brush", "polygon", "fill", "undo", "redo"};
 
 glm::dvec2 point_from(const json& value, const JsonPlace& place) {
     if (list_of(value, place, 2).size() != 2)
@@ -40,9 +44,8 @@ std::vector<glm::dvec2> points_from(JsonObject& object, std::size_t least) {
 
 StrokeKind kind_from(JsonObject& object) {
     const std::string name = text_of(object.get("op"), object.at("op"));
-    constexpr std::string_view kNames[] = {"brush", "polygon", "fill", "undo", "redo"};
-    for (std::size_t i = 0; i < std::size(kNames); ++i)
-        if (kNames[i] == name)
+    for (std::size_t i = 0; i < std::size(kKindNames); ++i)
+        if (kKindNames[i] == name)
             return static_cast<StrokeKind>(i);
     fail<InvalidInput>(object.at("op").text(), " is ", quoted(name.substr(0, 64)),
                        ", must be brush, polygon, fill, undo or redo");
@@ -91,7 +94,55 @@ void take_ground(StrokeScript& script, JsonObject& object, const std::vector<Mat
     script.ground = material_id(*ground, object.at("ground"), materials);
 }
 
+// ---- writing
+
+// Not operator+: gcc 12 sees overlaps in it that are not there.
+template <class... Parts>
+void append(std::string& text, const Parts&... parts) {
+    ((text += parts), ...);
+}
+
+std::string number(double value) {
+    std::string text;
+    append_number(text, value);
+    return text;
+}
+
+void append_stroke(std::string& text, const Stroke& stroke) {
+    append(text, "  {\"op\": \"", kKindNames[static_cast<std::size_t>(stroke.kind)], "\"");
+    if (stroke.kind == StrokeKind::Undo || stroke.kind == StrokeKind::Redo) {
+        append(text, ", \"count\": ", std::to_string(stroke.count), "}");
+        return;
+    }
+    append(text, ", \"points\": [");
+    for (std::size_t i = 0; i < stroke.points.size(); ++i)
+        append(text, i > 0 ? ", [" : "[", number(stroke.points[i].x), ", ",
+               number(stroke.points[i].y), "]");
+    append(text, "], \"material\": ", std::to_string(stroke.id));
+    if (stroke.kind == StrokeKind::Brush)
+        append(text, ", \"radius\": ", number(stroke.radius),
+               ", \"hardness\": ", number(stroke.hardness));
+    if (stroke.kind == StrokeKind::Polygon)
+        append(text, ", \"fade\": ", number(stroke.fade));
+    append(text, "}");
+}
+
 }  // namespace
+
+std::string strokes_to_json(const StrokeScript& script) {
+    std::string text = "{\n \"format\": \"scree-strokes\",\n \"version\": 1,\n";
+    if (script.width > 0)
+        append(text, " \"size\": [", std::to_string(script.width), ", ",
+               std::to_string(script.height), "], \"cell_size\": ", number(script.cell_size),
+               ", \"ground\": ", std::to_string(script.ground), ",\n");
+    append(text, " \"strokes\": [");
+    for (std::size_t i = 0; i < script.strokes.size(); ++i) {
+        append(text, i > 0 ? ",\n" : "\n");
+        append_stroke(text, script.strokes[i]);
+    }
+    append(text, "\n ]\n}\n");
+    return text;
+}
 
 StrokeScript strokes_from_json(std::string_view text, const std::string& source,
                                const std::vector<Material>& materials) {

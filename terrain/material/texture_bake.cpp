@@ -120,8 +120,9 @@ void bake_row(const DescriptionMap& map, const Blender& blender, const std::vect
 }  // namespace
 
 BakedGround bake_textures(const DescriptionMap& map, const std::vector<MaterialPictures>& pictures,
-                          const BakeOptions& options) {
+                          const BakeOptions& options, Progress* progress) {
     check(options);
+    report_progress(progress, "baking textures", 0.0);
     check_map(map, "the map to bake");
     if (pictures.size() != map.materials.size())
         fail<InvalidInput>("there are pictures of ", pictures.size(), " materials, the map has ",
@@ -137,6 +138,7 @@ BakedGround bake_textures(const DescriptionMap& map, const std::vector<MaterialP
     baked.normal = Photo(grid.width, grid.height);
     baked.displacement = {FloatRaster(grid.width, grid.height), grid.pixel_m};
     parallel_for_each_index(0, static_cast<std::size_t>(grid.height), 8, [&](std::size_t y) {
+        stop_if_cancelled(progress, "baking textures");
         bake_row(map, blender, looks, grid, static_cast<int>(y), baked);
     });
     return baked;

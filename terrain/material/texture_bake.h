@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/options.h"
+#include "base/progress.h"
 #include "terrain/material/description_map.h"
 #include "terrain/material/material_pictures.h"
 #include "vision/image_io.h"
@@ -39,8 +40,9 @@ struct BakedGround {
 /// @param pictures  Of every material of the table, in its order.
 /// @throw InvalidInput   the map breaks check_map() or there are not as many pictures as materials.
 /// @throw InvalidOption  a value is out of its range.
+/// @throw Cancelled
 BakedGround bake_textures(const DescriptionMap& map, const std::vector<MaterialPictures>& pictures,
-                          const BakeOptions& options = {});
+                          const BakeOptions& options = {}, Progress* progress = nullptr);
 
 /// Read the textures of all materials and bake. @throw IoError, InvalidInput
 BakedGround bake_texture_files(const DescriptionMap& map, const BakeOptions& options = {});

@@ -89,7 +89,8 @@ glm::mat4 shadow_from_world(const glm::vec3& sun, const ViewBox& casters, const 
     const ViewBox seen = turned(casters);
     const ViewBox floor = turned(ground);
     const glm::vec3 size = seen.high - seen.low;
-    const float margin = 0.02F * std::max({size.x, size.y, 1e-6F});
+    // Without objects the casters are a point, and a margin below its digits would be none.
+    const float margin = 0.02F * std::max({size.x, size.y, 1e-3F * (floor.high.x - floor.low.x)});
     const glm::mat4 clip = glm::ortho(
         seen.low.x - margin, seen.high.x + margin, seen.low.y - margin, seen.high.y + margin,
         -(seen.high.z + margin), -(std::min(seen.low.z, floor.low.z) - margin));

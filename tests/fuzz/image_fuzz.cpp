@@ -4,7 +4,8 @@
 
 #include <cmath>
 
-// Any bytes are a photograph of the declared size, or an error of ours.
+// Any bytes are a photograph of the declared size, heights, four channels or planes, or an error of
+// ours.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace scree::vision;
     static const scree::fuzz::MemoryFile file;
@@ -21,6 +22,19 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         for (const float height : heights.metres)
             if (!std::isfinite(height))
                 std::abort();
+    } catch (const scree::Error&) {
+    }
+    try {
+        const RgbaImage picture = read_rgba(path, limits);
+        if (picture.values.empty() || (picture.bits != 8 && picture.bits != 16))
+            std::abort();
+    } catch (const scree::Error&) {
+    }
+    try {
+        for (const NamedPlane& plane : read_planes(path, limits))
+            for (const float value : plane.values)
+                if (!std::isfinite(value))
+                    std::abort();
     } catch (const scree::Error&) {
     }
     return 0;

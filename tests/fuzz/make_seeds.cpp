@@ -1,5 +1,8 @@
 #include "base/whole_file.h"
 #include "meshing/gltf/gltf_write.h"
+#include "meshing/io/mesh_io.h"
+#include "terrain/material/id_text.h"
+#include "terrain/material/materials_json.h"
 #include "tests/support/tiny_network.h"
 #include "vision/data/rockdata_text.h"
 #include "vision/data/rocks_json.h"
@@ -99,6 +102,105 @@ void glb_seeds(const fs::path& folder) {
     write_staged_file(folder / "packed.glb", meshing::encode_glb(scene, {.quantise = true}));
 }
 
+// A table, rules and strokes over it, and its id file; with all members and with few.
+void ground_seeds(const fs::path& folder) {
+    for (const char* name : {"id_text", "materials_json", "strokes_json"})
+        fs::create_directories(folder / name);
+    std::vector<terrain::Material> materials(2);
+    materials[0].name = "sand";
+    materials[1].id = 7;
+    materials[1].name = "wet mud";
+    const auto write_tables = [&](const std::string& name) {
+        const terrain::MaterialTable table{0.25, "dir/ids.png", "dir/params.exr", materials};
+        write_whole_file(folder / "materials_json" / name,
+                         std::string_view(terrain::materials_to_json(table, "dir")));
+        write_whole_file(folder / "id_text" / name, std::string_view(terrain::ids_to_text(
+                                                        {1.0, 2.0, 0.25, materials}, "dir")));
+    };
+    write_tables("plain");
+    materials[1].textures = {"dir/a b.png", "dir/d.exr", "n.png", 0.5, 0.02};
+    materials[1].gravel = true;
+    materials[1].hat = {0.0, 0.5, 1.0};
+    materials[1].colour = glm::u8vec3(1, 2, 3);
+    write_tables("full");
+    write_whole_file(folder / "materials_json" / "rules",
+                     std::string_view(R"({"format": "scree-rules", "version": 1, "water_level": 0.2,
+        "rules": [{"material": "sand", "water_distance": {"max": 1, "soft": 0.1},
+        "slope_deg": {"min": 3}, "height": {"min": 0}, "curvature": {"max": 2}}],
+        "otherwise": 0})"));
+    write_whole_file(folder / "strokes_json" / "all",
+                     std::string_view(R"({"format": "scree-strokes", "version": 1, "size": [24, 16],
+        "cell_size": 0.25, "ground": "sand", "strokes": [
+        {"op": "brush", "at": [1, 1], "radius": 1, "hardness": 0.5, "material": "mud"},
+        {"op": "brush", "points": [[1, 1], [5, 3]], "radius": 0.5, "material": 7},
+        {"op": "polygon", "points": [[1, 1], [4, 1], [3, 3]], "fade": 0.5, "material": 0},
+        {"op": "undo", "count": 1}, {"op": "redo"}, {"op": "fill", "at": [5, 3], "material": 7}]})"));
+}
+
+// A scene with every kind of member, and the least one.
+void scene_seeds(const fs::path& folder) {
+    fs::create_directories(folder);
+    write_whole_file(folder / "least", std::string_view(R"({"format": "scree-scene", "version": 1,
+        "ground": {"width": 9, "height": 9, "cell_size_m": 0.1}})"));
+    write_whole_file(folder / "full", std::string_view(R"({"format": "scree-scene", "version": 1,
+        "ground": {"heights": "h.exr", "height_scale": 2, "cell_size_m": 0.5, "shapes": [
+            {"kind": "dune", "centre_m": [1, 2], "height_m": 3, "slope_deg": 50}]},
+        "materials": [{"id": 4, "name": "clay", "mobility": 0.3}],
+        "regions": [{"material": "clay", "disc_m": [1, 2, 3], "ragged_m": 0.1},
+                    {"material": "clay", "polygon_m": [[0, 0], [1, 0], [0, 1]]}],
+        "bearing_kpa_per_m": {"clay": 900},
+        "objects": [{"mass_kg": 12, "force_n": [1, 2, 3], "drag_n": 5, "colour": [0, 1, 0.5],
+            "shape": {"kind": "tyre", "lugs": 30},
+            "motion": {"ride": "weight", "rolling": {"radius_m": 0.4}, "keys": [
+                {"time_s": 0, "position_m": [0, 1, 0], "rotation_deg": [0, 90, 0]},
+                {"time_s": 2, "position_m": [4, 1, 0], "quaternion": [0, 0, 0, 1],
+                 "scale": 2}]}}],
+        "deformer": {"slide": "weight", "time_step": 0.5}, "contact": {"outward": "radial"},
+        "frames": 7, "camera": {"eye_m": [0, 1, 2], "target_m": [1, 0, 0]},
+        "outputs": {"every": 2}})"));
+}
+
+void erosion_seeds(const fs::path& folder) {
+    fs::create_directories(folder);
+    const std::string head =
+        R"({"format":"scree-erosion","version":1,"mesh":{"ground":{"shape":"bend","edge":0.2}},)";
+    write_whole_file(
+        folder / "water",
+        std::string_view(head + R"("fluid":{"kind":"particles","radius":0.1,"gravity":[0,-9,0],
+"domain":{"low":[-1,-1,-1],"high":[1,2,1]},"rains":[{"centre":[0,1,0],"width":1,"depth":1,"rate":9}],
+"sources":[{"centre":[0,1,0],"velocity":[1,0,0],"radius":0.2,"start":1,"end":2}],
+"pools":[{"low":[0,0,0],"high":[1,1,1]}],"sinks":[{"low":[0,0,0],"high":[1,1,1]}]},
+"run":{"steps":3,"scheme":"sediment"},"wear":{"rim":"free"},"sediment":{"shear":"full"},
+"output":{"width":64}})"));
+    write_whole_file(folder / "stream",
+                     std::string_view(head + R"("fluid":{"kind":"scripted","seed":2,"streams":[
+{"above_bed":0.1,"speed":1},{"path":[[0,0,0],[1,0,0]],"half_width":0.1,"per_metre":5}]}})"));
+    write_whole_file(folder / "file", std::string_view(R"({"format":"scree-erosion","version":1,
+"mesh":{"file":"a.glb"},"fluid":{"kind":"particles"}})"));
+}
+
+// A tetrahedron in both forms of every mesh file.
+void mesh_seeds(const fs::path& folder) {
+    meshing::MeshFile file;
+    file.mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1.5F, 0}, {0, 0, -1e-3F}};
+    file.mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+    file.colours = {{1, 2, 3}, {4, 5, 6}, {255, 0, 128}, {9, 9, 9}};
+    const std::pair<const char*, meshing::MeshFormat> formats[] = {
+        {"obj", meshing::MeshFormat::Obj},
+        {"ply", meshing::MeshFormat::Ply},
+        {"off", meshing::MeshFormat::Off},
+        {"stl", meshing::MeshFormat::Stl}};
+    for (const auto& [name, format] : formats) {
+        fs::create_directories(folder / name);
+        for (const bool text : {false, true})
+            write_whole_file(folder / name / (text ? "text" : "binary"),
+                             std::string_view(meshing::encode_mesh(file, format, {.text = text})));
+    }
+    write_whole_file(folder / "obj" / "textured",
+                     std::string_view("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+                                      "f 1/1/1 2/2/1 -1/-1\n"));
+}
+
 }  // namespace
 
 int main(int n_words, char** words) {
@@ -109,6 +211,10 @@ int main(int n_words, char** words) {
     label_seeds(folder / "labels");
     model_seeds(folder / "model");
     glb_seeds(folder / "glb");
+    mesh_seeds(folder);
+    ground_seeds(folder);
+    scene_seeds(folder / "scene");
+    erosion_seeds(folder / "erosion_scene");
     fs::create_directories(folder / "rocks_json");
     fs::create_directories(folder / "rocks_text");
     for (const std::size_t n : {std::size_t{0}, std::size_t{1}, std::size_t{3}}) {

@@ -10,7 +10,11 @@
 namespace scree::vision {
 namespace {
 
-constexpr int kStripRows = 128;  // fixed, so that the pieces do not depend on the thread count
+// Strips of a level: more rows waste less on the halo around each, fewer share the work better and
+// cost less memory. Neither they nor the thread count change what comes out.
+constexpr int kLeastRows = 128;
+constexpr int kStripPixels = 1'000'000;
+constexpr int kStripsToShare = 4;
 constexpr std::size_t kChannels = 3;
 
 void fill_strip(const FeatureStrip& strip, const Mlp& mlp, int first, int last, Context& field) {
@@ -76,21 +80,24 @@ void add_shifted(const cv::Mat& plane, const PhasedLevel& phase, float weight, c
 Context level_field(const LightLevel& level, const Context& context, const Mlp& mlp,
                     const Progress* progress) {
     Context field(kChannels, FloatRaster(level.width, level.height));
-    const int strips = (level.height + kStripRows - 1) / kStripRows;
-    parallel_for_each_index(0, static_cast<std::size_t>(strips), 1, [&](std::size_t i) {
+    const int rows = std::max(
+        kLeastRows,
+        std::min((level.height + kStripsToShare - 1) / kStripsToShare, kStripPixels / level.width));
+    const int n_strips = (level.height + rows - 1) / rows;
+    parallel_for_each_index(0, static_cast<std::size_t>(n_strips), 1, [&](std::size_t i) {
         if (progress != nullptr && progress->cancelled())
             fail<Cancelled>("stopped during finding edges");
-        const int first = static_cast<int>(i) * kStripRows;
-        const int last = std::min(level.height, first + kStripRows);
+        const int first = static_cast<int>(i) * rows;
+        const int last = std::min(level.height, first + rows);
         fill_strip(FeatureStrip(level, context, first, last), mlp, first, last, field);
     });
     return field;
 }
 
 Context context_from(const Context& coarse) {
-    Context fine;
-    for (const auto& plane : coarse)
-        fine.push_back(with_margin(twice(view(plane))));
+    Context fine(coarse.size());
+    parallel_for_each_index(0, fine.size(), 1,
+                            [&](std::size_t i) { fine[i] = with_margin(twice(view(coarse[i]))); });
     return fine;
 }
 
@@ -104,14 +111,14 @@ Context coarse_context(const std::vector<PhasedLevel>& phases, const FieldModel&
         fields[i] = level_field(phases[i].level, above, model.levels[level]);
     });
     const auto weight = 1.0F / static_cast<float>(phases.size());
-    Context mean;
-    for (std::size_t channel = 0; channel < kChannels; ++channel) {
+    Context mean(kChannels);
+    parallel_for_each_index(0, kChannels, 1, [&](std::size_t channel) {
         const LightLevel& first = phases[0].level;
         cv::Mat sum = cv::Mat::zeros(2 * first.height, 2 * first.width, CV_32F);
         for (std::size_t i = 0; i < phases.size(); ++i)
             add_shifted(twice(softened(view(fields[i][channel]))), phases[i], weight, sum);
-        mean.push_back(with_margin(sum));
-    }
+        mean[channel] = with_margin(sum);
+    });
     return mean;
 }
 
@@ -125,8 +132,10 @@ EdgeField ClassicalEdgeDetector::detect(const Photo& photo, Progress* progress) 
     Context field = level_field(pyramid.fine[0], context, model_->levels[0], progress);
     pyramid.fine[0] = {};
     context.clear();
-    for (auto& channel : field)
-        channel = cropped(channel, photo.width(), photo.height());
+    parallel_for_each_index(0, field.size(), 1, [&](std::size_t i) {
+        if (field[i].width() != photo.width() || field[i].height() != photo.height())
+            field[i] = cropped(field[i], photo.width(), photo.height());
+    });
     return {std::move(field[0]), std::move(field[1]), std::move(field[2])};
 }
 

@@ -27,7 +27,8 @@ Planes split(const Photo& photo) {
     const int w = (photo.width() + kPadTo - 1) / kPadTo * kPadTo;
     const int h = (photo.height() + kPadTo - 1) / kPadTo * kPadTo;
     Planes planes{cv::Mat(h, w, CV_32F), cv::Mat(h, w, CV_32F), cv::Mat(h, w, CV_32F)};
-    for (int y = 0; y < h; ++y) {
+    parallel_for_each_index(0, static_cast<std::size_t>(h), 64, [&](std::size_t row) {
+        const int y = static_cast<int>(row);
         const glm::u8vec3* in = photo.row(std::min(y, photo.height() - 1));
         auto* luma = planes.luma.ptr<float>(y);
         auto* red_green = planes.red_green.ptr<float>(y);
@@ -40,7 +41,7 @@ Planes split(const Photo& photo) {
             red_green[x] = r - g;
             yellow_blue[x] = 0.5F * (r + g) - b;
         }
-    }
+    });
     return planes;
 }
 
@@ -135,11 +136,13 @@ LightPyramid light_pyramid(const Photo& photo) {
     if (photo.empty())
         fail<InvalidInput>("the photograph has no pixels");
     LightPyramid pyramid;
-    Planes planes = split(photo);
-    pyramid.fine[0] = normalised(planes);
-    planes = halved(planes);
-    pyramid.fine[1] = normalised(planes);
-    pyramid.coarse = phased(planes, kFineLevels);
+    const Planes planes = split(photo);
+    parallel_invoke([&] { pyramid.fine[0] = normalised(planes); },
+                    [&] {
+                        const Planes half = halved(planes);
+                        parallel_invoke([&] { pyramid.fine[1] = normalised(half); },
+                                        [&] { pyramid.coarse = phased(half, kFineLevels); });
+                    });
     return pyramid;
 }
 

@@ -21,7 +21,7 @@ constexpr std::span<const std::string_view> names_of(OutlineColour) {
 
 struct OverlayOptions {
     OutlineColour colour = OutlineColour::Confidence;
-    int line_width = 0;     ///< px; 0: 1 for pictures up to 900 px, more for larger ones.
+    int line_width = 0;     ///< px; 0: 2 for pictures of 600 px, more for larger ones.
     double dimming = 0.12;  ///< How far the photograph is darkened beneath, 0 to 1.
 };
 

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/random.h"
+#include "terrain/material/materials_json.h"
 #include "tests/terrain/material/map_samples.h"
 
 #include <cmath>
@@ -215,6 +216,28 @@ TEST(StrokesJson, IsTheSameAsTheStrokes) {
                            shape(StrokeKind::Polygon, {{1, 1}, {4, 1}, {4, 3}}, 7, 0.5),
                            shape(StrokeKind::Fill, {{9, 7}}, 7)});
     EXPECT_TRUE(test::same_map(map, map_from_strokes(script, materials)));
+}
+
+TEST(StrokesJson, TheExampleIsAMap) {
+    const std::filesystem::path folder = std::filesystem::path(SCREE_SOURCE_DIR) / "testdata/maps";
+    const auto materials = read_materials(folder / "materials.json").materials;
+    const DescriptionMap map =
+        map_from_strokes(read_strokes(folder / "strokes.json", materials), materials);
+    EXPECT_EQ(map.ids.width(), 160);
+    EXPECT_EQ(map.ids(2, 50), 0);  // the fill was taken back
+    EXPECT_EQ(map.ids(118, 20), 2);
+    EXPECT_EQ(map.ids(50, 36), 1);
+}
+
+TEST(StrokesJson, WritesWhatItReads) {
+    const auto materials = test::three_materials();
+    const std::string once = strokes_to_json(strokes_from_json(kScript, "s", materials));
+    const StrokeScript again = strokes_from_json(once, "again", materials);
+    EXPECT_EQ(strokes_to_json(again), once);
+    EXPECT_TRUE(
+        test::same_map(map_from_strokes(again, materials),
+                       map_from_strokes(strokes_from_json(kScript, "s", materials), materials)));
+    EXPECT_EQ(strokes_from_json(strokes_to_json({}), "none", materials).width, 0);
 }
 
 struct Wrong {

@@ -145,6 +145,14 @@ TEST(TextureBake, IsTheSameForAnyThreadCountAndEitherShape) {
     }
 }
 
+TEST(TextureBake, CanBeStopped) {
+    struct Stop : Progress {
+        void report(std::string_view, double) override {}
+        bool cancelled() const override { return true; }
+    } stop;
+    EXPECT_THROW(bake_textures(two_halves(), plain_pictures(), {.size = 8}, &stop), Cancelled);
+}
+
 TEST(TextureBake, SaysWhatIsWrong) {
     DescriptionMap map = two_halves();
     EXPECT_THAT([&] { bake_textures(map, std::vector<MaterialPictures>(2)); },

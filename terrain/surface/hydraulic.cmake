@@ -1,0 +1,15 @@
+scree_add_sources(terrain
+  HEADERS
+    erosion_checkpoint.h
+    erosion_ground.h
+    erosion_loop.h
+    erosion_scene.h
+    sediment.h
+    wet_erosion.h
+  SOURCES
+    erosion_checkpoint.cpp
+    erosion_ground.cpp
+    erosion_loop.cpp
+    erosion_scene.cpp
+    sediment.cpp
+    wet_erosion.cpp)
