@@ -24,9 +24,6 @@ unsigned create_gl_object(GlKind kind, unsigned target) {
         case GlKind::VertexArray:
             glCreateVertexArrays(1, &id);
             break;
-        case GlKind::Query:
-            glCreateQueries(target, 1, &id);
-            break;
     }
     return id;
 }
@@ -47,9 +44,6 @@ void destroy_gl_object(GlKind kind, unsigned id) {
             break;
         case GlKind::VertexArray:
             glDeleteVertexArrays(1, &id);
-            break;
-        case GlKind::Query:
-            glDeleteQueries(1, &id);
             break;
     }
 }

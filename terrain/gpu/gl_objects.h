@@ -4,10 +4,10 @@
 
 namespace scree::terrain {
 
-enum class GlKind { Buffer, Texture, Framebuffer, Renderbuffer, VertexArray, Query };
+enum class GlKind { Buffer, Texture, Framebuffer, Renderbuffer, VertexArray };
 
 /// The name of a new object of a kind in the current context. `target` (an OpenGL enumerator) is
-/// read for textures and queries alone.
+/// read for textures alone.
 unsigned create_gl_object(GlKind kind, unsigned target);
 void destroy_gl_object(GlKind kind, unsigned id);
 
@@ -43,7 +43,6 @@ using GlTexture = GlObject<GlKind::Texture>;
 using GlFramebuffer = GlObject<GlKind::Framebuffer>;
 using GlRenderbuffer = GlObject<GlKind::Renderbuffer>;
 using GlVertexArray = GlObject<GlKind::VertexArray>;
-using GlQuery = GlObject<GlKind::Query>;
 
 /// Throw DeviceError if the current context has met an error; `what` says during which work.
 void check_gl(const char* what);
