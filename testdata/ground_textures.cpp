@@ -248,7 +248,7 @@ ColourRaster draw_pebbles(int width, int height, std::uint64_t seed) {
     stones.width = width;
     stones.height = height;
     stones.layout = rng.uniform() < 0.4 ? Layout::Cells : Layout::Darts;
-    stones.n_rocks = 60000;
+    stones.n_rocks = static_cast<int>(1.5 * width * height / (least * greatest)) + 1;
     stones.least_diameter = least;
     stones.median_diameter = std::sqrt(least * greatest);
     stones.greatest_diameter = greatest;
