@@ -23,8 +23,8 @@ using namespace scree;
 using namespace scree::vision;
 
 constexpr int kSide = 320;
-constexpr std::uint64_t kTrainingSeeds = 72;
-constexpr std::size_t kEvery = 4;  // of the pieces is a sample; neighbours hardly differ
+constexpr std::uint64_t kTrainingSeeds = 180;
+constexpr std::size_t kEvery = 5;  // of the pieces is a sample; neighbours hardly differ
 constexpr std::uint64_t kFirstTestSeed = 900'001;
 constexpr std::uint64_t kTestSeeds = 24;
 
