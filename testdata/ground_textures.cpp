@@ -1,3 +1,4 @@
+#include "base/error.h"
 #include "base/parallel.h"
 #include "base/random.h"
 #include "testdata/gravel_scene.h"
@@ -261,7 +262,12 @@ ColourRaster draw_pebbles(int width, int height, std::uint64_t seed) {
     stones.wetness = rng.uniform() < 0.3 ? rng.uniform() : 0.0;
     stones.matrix = rng.uniform(0.0, 0.8);
     stones.seed = seed;
-    return colours_of(make_synthetic_photo(stones).photo);
+    try {
+        return colours_of(make_synthetic_photo(stones).photo);
+    } catch (const InvalidInput&) {  // a cell was too small for its gap
+        stones.layout = Layout::Darts;
+        return colours_of(make_synthetic_photo(stones).photo);
+    }
 }
 
 }  // namespace
