@@ -1,3 +1,4 @@
+#include "base/error.h"
 #include "base/parallel.h"
 #include "base/random.h"
 #include "testdata/gravel_scene.h"
@@ -248,7 +249,7 @@ ColourRaster draw_pebbles(int width, int height, std::uint64_t seed) {
     stones.width = width;
     stones.height = height;
     stones.layout = rng.uniform() < 0.4 ? Layout::Cells : Layout::Darts;
-    stones.n_rocks = 60000;
+    stones.n_rocks = static_cast<int>(1.5 * width * height / (least * greatest)) + 1;
     stones.least_diameter = least;
     stones.median_diameter = std::sqrt(least * greatest);
     stones.greatest_diameter = greatest;
@@ -261,7 +262,12 @@ ColourRaster draw_pebbles(int width, int height, std::uint64_t seed) {
     stones.wetness = rng.uniform() < 0.3 ? rng.uniform() : 0.0;
     stones.matrix = rng.uniform(0.0, 0.8);
     stones.seed = seed;
-    return colours_of(make_synthetic_photo(stones).photo);
+    try {
+        return colours_of(make_synthetic_photo(stones).photo);
+    } catch (const InvalidInput&) {  // a cell was too small for its gap
+        stones.layout = Layout::Darts;
+        return colours_of(make_synthetic_photo(stones).photo);
+    }
 }
 
 }  // namespace

@@ -7,9 +7,9 @@ namespace scree::vision {
 
 /// How a photograph of ground is cut into regions of one class.
 struct GroundOptions {
-    int max_side = 1024;            ///< Larger pictures are worked on at this size.
+    int max_side = 640;             ///< Larger pictures are worked on at this size.
     SuperpixelOptions superpixels;  ///< The pieces that are classified.
-    double smoothing = 2.0;         ///< How much a piece takes from its neighbours; 0: nothing.
+    double smoothing = 5.0;         ///< How much a piece takes from its neighbours; 0: nothing.
     int smoothing_rounds = 10;      ///< Most rounds of it.
     double slope_weight = 0.3;      ///< Evidence in a degree of slope beyond what a class can hold.
 };

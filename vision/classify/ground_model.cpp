@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kTerms = GroundModel::kTerms;
 constexpr float kReach = 3.0F;
-constexpr float kShipped[] = {
+constexpr double kShipped[] = {
 #include "vision/classify/ground_weights.inc"
 };
 static_assert(std::size(kShipped) == 2 * kGroundFeatures + kGroundClasses * kTerms);
@@ -188,13 +188,13 @@ std::string describe_model(const GroundModel& model) {
 const GroundModel& shipped_ground_model() {
     static const GroundModel model = [] {
         GroundModel read;
-        const float* next = kShipped;
+        const double* next = kShipped;
         for (GroundFeatures* values : {&read.mean, &read.deviation})
             for (float& value : *values)
-                value = *next++;
+                value = static_cast<float>(*next++);
         for (auto& weights : read.weights)
             for (float& value : weights)
-                value = *next++;
+                value = static_cast<float>(*next++);
         return read;
     }();
     return model;

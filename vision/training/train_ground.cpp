@@ -23,10 +23,10 @@ using namespace scree;
 using namespace scree::vision;
 
 constexpr int kSide = 320;
-constexpr std::uint64_t kTrainingSeeds = 100;
+constexpr std::uint64_t kTrainingSeeds = 180;
 constexpr std::size_t kEvery = 5;  // of the pieces is a sample; neighbours hardly differ
 constexpr std::uint64_t kFirstTestSeed = 900'001;
-constexpr std::uint64_t kTestSeeds = 40;
+constexpr std::uint64_t kTestSeeds = 24;
 
 struct Samples {
     std::vector<GroundFeatures> features;
@@ -73,8 +73,9 @@ void train(const std::string& path) {
     Samples samples;
     for (std::uint64_t seed = 1; seed <= kTrainingSeeds; ++seed) {
         add_samples(test::make_ground_mosaic(kSide, kSide, seed), samples);
+        std::cerr << '.';
     }
-    std::cout << samples.features.size() << " samples\n";
+    std::cerr << "\n" << samples.features.size() << " samples\n";
     const GroundModel model = train_ground_model(samples.features, samples.classes);
     ConfusionMatrix matrix;
     for (std::size_t i = 0; i < samples.features.size(); ++i) {
