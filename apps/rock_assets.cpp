@@ -11,6 +11,7 @@
 #include "meshing/gltf/texture_atlas.h"
 #include "meshing/render/raster_view.h"
 #include "meshing/rocks/world_frame.h"
+#include "terrain/surface/round_rocks.h"
 #include "vision/data/grain_size.h"
 #include "vision/data/overlay.h"
 #include "vision/data/rocks_json.h"
@@ -111,6 +112,7 @@ void run_steps(std::vector<Step> steps, std::string_view stage, Workshop& shop) 
 void build_meshes(Workshop& shop) {
     Stopwatch watch;
     shop.meshes = meshing::build_rock_meshes(shop.set, {.max_segments = shop.options.max_segments});
+    terrain::round_rocks(shop.meshes, shop.options.weather, shop.progress);
     shop.report.mesh_seconds = watch.lap();
     for (const meshing::RockMesh& rock : shop.meshes) {
         shop.report.n_vertices += rock.mesh.positions.size();

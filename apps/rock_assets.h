@@ -19,6 +19,7 @@ namespace scree::apps {
 /// What is built from a set of rocks.
 struct AssetOptions {
     int max_segments = 30;     ///< Of the largest rock's mesh.
+    int weather = 0;           ///< Steps of weathering that round every rock's mesh.
     std::int64_t seed = 1;     ///< Of the scattered patch.
     bool quantise = false;     ///< Pack vertices by KHR_mesh_quantization; patch.glb always is.
     bool msft_lod = false;     ///< Put the levels of detail into rocks.glb with MSFT_lod.
@@ -30,6 +31,8 @@ template <class Visitor>
 void describe(AssetOptions& o, Visitor&& field) {
     field("max-segments", o.max_segments,
           {.min = 3, .max = 720, .help = "segments of the largest rock's mesh"});
+    field("weather", o.weather,
+          {.min = 0, .max = 1000, .help = "steps of weathering that round the rocks' meshes"});
     field("seed", o.seed, {.min = 0, .max = 9e15, .help = "seed of the scattered patch"});
     field("quantise", o.quantise,
           {.help = "pack vertices of rocks.glb and lods/ with KHR_mesh_quantization"});

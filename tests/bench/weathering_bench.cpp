@@ -4,8 +4,9 @@
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "meshing/curvature/mean_curvature.h"
+#include "meshing/io/mesh_io.h"
+#include "meshing/mesh/cleaning.h"
 #include "meshing/mesh/normals.h"
-#include "meshing/mesh/small_faces.h"
 #include "terrain/surface/weathering.h"
 #include "tests/support/sphere_meshes.h"
 
@@ -29,12 +30,28 @@ using OpenMeshType = OpenMesh::TriMesh_ArrayKernelT<>;
 constexpr std::size_t kBunny = 34834;
 constexpr glm::dvec3 kAxes(1.0, 0.8, 0.6);
 
-const TriMesh& body(std::size_t n) {
+std::map<std::size_t, TriMesh>& bodies() {
     static std::map<std::size_t, TriMesh> known;
-    TriMesh& mesh = known[n];
+    return known;
+}
+
+const TriMesh& body(std::size_t n) {
+    TriMesh& mesh = bodies()[n];
     if (mesh.positions.empty())
         mesh = test::lumpy_sphere(n);
     return mesh;
+}
+
+// Vertices of the body that is measured with the baselines.
+std::size_t main_size() {
+    const char* const path = std::getenv("SCREE_BENCH_MESH");
+    if (path == nullptr)
+        return kBunny;
+    TriMesh mesh = meshing::read_mesh(path).mesh;
+    meshing::clean_mesh(mesh, {.weld = true});
+    const std::size_t n = mesh.positions.size();
+    bodies()[n] = std::move(mesh);
+    return n;
 }
 
 std::size_t bytes_in_use() {
@@ -182,7 +199,7 @@ void add(const char* name, std::int64_t n, void (*body_of)(benchmark::State&)) {
 }
 
 const bool kRegistered = [] {
-    const auto n = static_cast<std::int64_t>(kBunny);
+    const auto n = static_cast<std::int64_t>(main_size());
     add("step", n, step);
     add("step_checked", n, step_checked);
     add("curvature_quadric", n,
