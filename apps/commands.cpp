@@ -39,6 +39,12 @@ std::span<const Command> commands() {
           "preview.gif "
           "and report.json: all of them, or none if it is stopped."},
          run_deform},
+        {{"weather", "wear a mesh as wind and frost do: protrusions recede, hollows stay",
+          "scree weather statue.ply -o worn.ply --steps 50 --power 2 --before-after worn.png",
+          "With --checkpoint a run that was stopped goes on where it was, to the same bytes; the "
+          "file goes when the run is done. A mesh that tangles goes back to its last clean state "
+          "and takes shorter steps."},
+         run_weather},
         {{"erode", "let water wear a mesh: fluid, erosion, meshes and pictures of both",
           "scree erode testdata/scenes/erode_canyon.json -o out",
           "The scene is described in docs/hydraulic-erosion.md. Frames and checkpoints appear one "

@@ -21,6 +21,7 @@ void run_scatter(Arguments& arguments);
 void run_procedural(Arguments& arguments);
 void run_describe(Arguments& arguments);
 void run_erode(Arguments& arguments);
+void run_weather(Arguments& arguments);
 void run_render(Arguments& arguments);
 void run_score(Arguments& arguments);
 void run_check(Arguments& arguments);

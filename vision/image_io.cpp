@@ -20,6 +20,7 @@
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
+#include <glm/common.hpp>
 
 namespace scree::vision {
 namespace {
@@ -349,7 +350,7 @@ void write_planes_exr(const fs::path& path, std::span<const NamedPlane> planes) 
     spec.alpha_channel = -1;
     spec["compression"] = "zip";
     spec["DateTime"] = "1970:01:01 00:00:00";  // else the present: same planes, other bytes
-    write_pixels(path, spec, OIIO::TypeDesc::FLOAT, values.data());
+    write_staged_file(path, encoded(path.string(), spec, OIIO::TypeDesc::FLOAT, values.data()));
 }
 
 std::vector<std::uint8_t> encode_jpeg(const Photo& picture, int quality) {

@@ -17,7 +17,8 @@ void run_render(Arguments& arguments) {
     arguments.path({"map", 0, "DIR", "materials.json of a description map, or its folder", false},
                    job.map);
     arguments.options(job.options);
-    arguments.options(job.view);
+    arguments.options(job.view, {"width", "height", "supersampling", "lattice", "tessellation",
+                                 "refine-radius", "far", "contour", "ground-block"});
     arguments.flag("software", job.software, {.help = "draw on the processor"});
     arguments.options(common, {"threads", "quiet"});
     arguments.parse();

@@ -34,10 +34,9 @@ inline float arctangent_series(float z) {
 /// Arc tangent without branches or calls, so that loops over it vectorise.
 /// @pre  tangent >= 0.
 inline float arctangent(float tangent) {
-    const bool steep = tangent > 1.0F;
-    const float x = steep ? 1.0F / tangent : tangent;
+    const float x = std::min(tangent, 1.0F / std::max(tangent, 1.0F));  // it or its inverse
     const float angle = arctangent_series(x * x) * x;
-    return steep ? 1.57079633F - angle : angle;
+    return tangent > 1.0F ? 1.57079633F - angle : angle;
 }
 
 /// D of a face (`rocks-and-deformer.md` C.8): the harmonic mean; 0 if either is 0.

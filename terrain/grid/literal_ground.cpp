@@ -117,15 +117,19 @@ LiteralGround::LiteralGround(const Heightfield& base, const SoilField& soil,
       width_(base.heights.width()),
       height_(base.heights.height()),
       uniform_(soil.map().ids.empty()),
-      heights_(width_ + 2, height_ + 2),
-      next_(width_ + 2, height_ + 2) {
+      heights_(width_, height_),
+      next_(width_, height_) {
     if (uniform_)
         soil.fill({0, 0, 1, 1}, soil_);
     else
         soil_ = soil_with_rim(soil, width_, height_);
-    for (int y = 0; y < height_; ++y)
-        std::copy_n(base.heights.row(y), width_, heights_.row(y + 1) + 1);
-    refresh_rim(heights_);
+    for (int y = 0; y < height_; ++y) {
+        float* row = heights_.row(y);
+        std::copy_n(base.heights.row(y), width_, row);
+        row[-1] = row[0];
+        row[width_] = row[width_ - 1];
+    }
+    copy_rim_rows(heights_);
 }
 
 DeformerReport LiteralGround::step(std::span<const Load> loads, float* moved) {
@@ -138,12 +142,14 @@ DeformerReport LiteralGround::step(std::span<const Load> loads, float* moved) {
         std::swap(heights_, next_);
         if (moved) {
             float greatest = 0.0F;
-            for (std::size_t k = 0; k < heights_.size(); ++k)
-                greatest = std::max(greatest, std::fabs(heights_.data()[k] - next_.data()[k]));
+            for (int y = 0; y < height_; ++y)
+                for (int x = 0; x < width_; ++x)
+                    greatest = std::max(greatest, std::fabs(heights_.row(y)[x] - next_.row(y)[x]));
             *moved += greatest;
         }
     }
-    report.at_rest = heights_ == next_;
+    for (int y = 0; y < height_ && report.at_rest; ++y)
+        report.at_rest = std::equal(heights_.row(y), heights_.row(y) + width_, next_.row(y));
     return report;
 }
 
@@ -177,24 +183,29 @@ void LiteralGround::iterate() {
     constexpr std::size_t kRows = 32;
     parallel_for_each_index(0, static_cast<std::size_t>(height_), kRows,
                             [&](std::size_t y) { step_row(static_cast<int>(y)); });
-    if (rule_.border == Border::Zero)  // (4.7)
-        for (int y = 0; y < height_; ++y) {
-            const bool whole = y == 0 || y == height_ - 1;
-            const float* base = base_->heights.row(y);
-            float* row = next_.row(y + 1) + 1;
-            if (whole)
-                std::copy_n(base, width_, row);
-            row[0] = base[0];
-            row[width_ - 1] = base[width_ - 1];
-        }
-    refresh_rim(next_);
+    copy_rim_rows(next_);
 }
 
+/// One row, and its rim while it is at hand.
 void LiteralGround::step_row(int y) {
-    const float* here = heights_.row(y + 1) + 1;
-    const float* above = heights_.row(y) + 1;
-    const float* below = heights_.row(y + 2) + 1;
-    float* out = next_.row(y + 1) + 1;
+    step_cells(y);
+    float* row = next_.row(y);
+    if (rule_.border == Border::Zero) {  // (4.7)
+        const float* base = base_->heights.row(y);
+        if (y == 0 || y == height_ - 1)
+            std::copy_n(base, width_, row);
+        row[0] = base[0];
+        row[width_ - 1] = base[width_ - 1];
+    }
+    row[-1] = row[0];
+    row[width_] = row[width_ - 1];
+}
+
+void LiteralGround::step_cells(int y) {
+    const float* here = heights_.row(y);
+    const float* above = heights_.row(y - 1);
+    const float* below = heights_.row(y + 1);
+    float* out = next_.row(y);
     const RowScale scale = scale_of(rule_);
     if (uniform_ && !loaded_) {
         const float repose = soil_.repose(0, 0);
@@ -216,20 +227,15 @@ void LiteralGround::step_row(int y) {
 }
 
 /// Cells outside the ground have the height of its rim.
-void LiteralGround::refresh_rim(FloatRaster& heights) const {
-    for (int y = 1; y <= height_; ++y) {
-        float* row = heights.row(y);
-        row[0] = row[1];
-        row[width_ + 1] = row[width_];
-    }
-    std::copy_n(heights.row(1), width_ + 2, heights.row(0));
-    std::copy_n(heights.row(height_), width_ + 2, heights.row(height_ + 1));
+void LiteralGround::copy_rim_rows(RimmedRows& heights) const {
+    std::copy_n(heights.row(0) - 1, width_ + 2, heights.row(-1) - 1);
+    std::copy_n(heights.row(height_ - 1) - 1, width_ + 2, heights.row(height_) - 1);
 }
 
 void LiteralGround::read_displacement(const CellWindow& window, FloatRaster& out) const {
     for (int y = 0; y < window.height; ++y) {
         const float* base = base_->heights.row(window.y + y) + window.x;
-        const float* heights = heights_.row(window.y + y + 1) + window.x + 1;
+        const float* heights = heights_.row(window.y + y) + window.x;
         float* row = out.row(y);
         for (int x = 0; x < window.width; ++x)
             row[x] = heights[x] - base[x];
@@ -240,12 +246,12 @@ double LiteralGround::sum() const {
     double sum = 0.0;
     for (int y = 0; y < height_; ++y)
         for (int x = 0; x < width_; ++x)
-            sum += double{heights_(x + 1, y + 1)} - base_->heights(x, y);
+            sum += double{heights_.row(y)[x]} - base_->heights(x, y);
     return sum;
 }
 
 std::size_t LiteralGround::bytes() const {
-    return (heights_.size() + next_.size() + force_x_.size() + force_z_.size() +
+    return (2 * RimmedRows::size(width_, height_) + force_x_.size() + force_z_.size() +
             3 * soil_.repose.size()) *
            sizeof(float);
 }

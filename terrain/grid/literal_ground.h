@@ -2,11 +2,36 @@
 
 #include "terrain/grid/deformer.h"
 #include "terrain/grid/literal_step.h"
+#include "terrain/grid/tile_store.h"
 
 #include <cstddef>
 #include <span>
 
 namespace scree::terrain {
+
+/// Rows that begin on the boundary of a cache line, with a row more at either end and room for a
+/// cell more at either side.
+class RimmedRows {
+public:
+    RimmedRows(int width, int height)
+        : stride_(stride_of(width)), values_(make_block(size(width, height))) {}
+
+    /// @param y  From -1 to the height.
+    float* row(int y) { return values_.get() + (y + 1) * stride_ + kSide; }
+    const float* row(int y) const { return values_.get() + (y + 1) * stride_ + kSide; }
+
+    /// Floats that it takes.
+    static std::size_t size(int width, int height) {
+        return static_cast<std::size_t>(stride_of(width)) * (static_cast<std::size_t>(height) + 2);
+    }
+
+private:
+    static constexpr std::ptrdiff_t kSide = 16;
+    static std::ptrdiff_t stride_of(int width) { return (width + 2 * kSide + 15) / 16 * 16; }
+
+    std::ptrdiff_t stride_;
+    FloatBlock values_;
+};
 
 /// The published scheme over the whole grid: every cell of every iteration, base and displacement
 /// as one height. Gives the bytes of literal_step().
@@ -27,7 +52,8 @@ private:
     void gather(std::span<const Load> loads);
     void iterate();
     void step_row(int y);
-    void refresh_rim(FloatRaster& heights) const;
+    void step_cells(int y);
+    void copy_rim_rows(RimmedRows& heights) const;
 
     const Heightfield* base_;
     LiteralRule rule_;
@@ -35,9 +61,9 @@ private:
     int width_, height_;
     bool uniform_;
     bool loaded_ = false;
-    // All rasters have one cell more on every side than the grid.
-    SoilTile soil_;  ///< One cell where the soil is the same everywhere.
-    FloatRaster heights_, next_;
+    RimmedRows heights_, next_;
+    // These rasters have one cell more on every side than the grid.
+    SoilTile soil_;                  ///< One cell where the soil is the same everywhere.
     FloatRaster force_x_, force_z_;  ///< Empty until the first load.
 };
 

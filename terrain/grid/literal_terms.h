@@ -20,15 +20,17 @@ inline float literal_push(float before, float after, float mobility, float scale
     return scale * (mobility * (after - before));
 }
 
-/// Arc sine of the square root of w in [0, 1/2], over that root; to 2.2e-7 rad.
-inline float arcsine_series(float w) {
-    float sum = 0.0999071056F;  // interpolates at the Chebyshev nodes of [0, 1/2]
-    sum = sum * w - 0.0535424837F;
-    sum = sum * w + 0.0601242776F;
-    sum = sum * w + 0.0390137921F;
-    sum = sum * w + 0.0754907417F;
-    sum = sum * w + 0.166650979F;
-    return sum * w + 1.00000008F;
+/// Arc tangent of the square root of a >= 0, to 5e-7 rad: what the angles of (4.11) are.
+inline float arctangent_of_root(float a) {
+    const float z = std::min(a, 1.0F / std::max(a, 1.0F));  // a or 1 / a
+    float sum = 0.00764835393F;  // interpolates at the Chebyshev nodes of [0, 1]
+    sum = sum * z - 0.0363604309F;
+    sum = sum * z + 0.083126453F;
+    sum = sum * z - 0.134478641F;
+    sum = sum * z + 0.198720403F;
+    sum = sum * z - 0.33325678F;
+    sum = (sum * z + 0.999999226F) * std::sqrt(z);
+    return a > 1.0F ? 1.57079633F - sum : sum;
 }
 
 /// What a term's weight is made of.
@@ -45,24 +47,11 @@ struct LiteralWeight {
 };
 
 /// The scalar product w d of (4.6), the angles by (4.11).
-///
-/// With v = a / (1 + a) the angle atan(sqrt a) is asin(sqrt v), or pi/2 - asin(sqrt(1 - v)) for
-/// a > 1: the two axes share one division.
 /// @param to_grid  From metres to the arc tangent's argument, steps^2 / cell size.
 inline float literal_product(float term_x, float term_z, const LiteralWeight& weight,
                              float to_grid) {
-    constexpr float kGreatest = 1e18F;  // products stay finite
-    const float a = std::min(std::fabs(term_x) * to_grid, kGreatest);
-    const float b = std::min(std::fabs(term_z) * to_grid, kGreatest);
-    const float a1 = 1.0F + a;
-    const float b1 = 1.0F + b;
-    const float both = 1.0F / (a1 * b1);
-    const float v = (a > 1.0F ? 1.0F : a) * (b1 * both);
-    const float w = (b > 1.0F ? 1.0F : b) * (a1 * both);
-    const float angle_x = arcsine_series(v) * std::sqrt(v);
-    const float angle_z = arcsine_series(w) * std::sqrt(w);
-    return weight(a > 1.0F ? 1.57079633F - angle_x : angle_x) * term_x +
-           weight(b > 1.0F ? 1.57079633F - angle_z : angle_z) * term_z;
+    return weight(arctangent_of_root(std::fabs(term_x) * to_grid)) * term_x +
+           weight(arctangent_of_root(std::fabs(term_z) * to_grid)) * term_z;
 }
 
 inline float literal_room(float repose) {

@@ -4,7 +4,7 @@
 #include "base/number_text.h"
 #include "base/whole_file.h"
 #include "terrain/material/map_check.h"
-#include "terrain/material/strict_json.h"
+#include "terrain/json/strict_json.h"
 
 #include <algorithm>
 

@@ -2,7 +2,8 @@
 #include "base/number_text.h"
 #include "base/whole_file.h"
 #include "terrain/material/map_check.h"
-#include "terrain/material/strict_json.h"
+#include "terrain/json/strict_json.h"
+#include "terrain/material/material_reference.h"
 #include "terrain/material/strokes.h"
 
 namespace scree::terrain {

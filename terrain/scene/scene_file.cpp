@@ -13,36 +13,6 @@ namespace scree::terrain {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-glm::dvec2 pair_of(const json& value, const JsonPlace& place) {
-    list_of(value, place, 2);
-    if (value.size() != 2)
-        fail<InvalidInput>(place.text(), " must have 2 entries, has ", value.size());
-    return {number_of(value[0], place.entry(0), -1e9, 1e9),
-            number_of(value[1], place.entry(1), -1e9, 1e9)};
-}
-
-glm::dvec3 triple_of(const json& value, const JsonPlace& place) {
-    list_of(value, place, 3);
-    if (value.size() != 3)
-        fail<InvalidInput>(place.text(), " must have 3 entries, has ", value.size());
-    return {number_of(value[0], place.entry(0), -1e9, 1e9),
-            number_of(value[1], place.entry(1), -1e9, 1e9),
-            number_of(value[2], place.entry(2), -1e9, 1e9)};
-}
-
-std::size_t word_of(const json& value, const JsonPlace& place,
-                    std::span<const std::string_view> names) {
-    const std::string word = text_of(value, place);
-    std::string known;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (names[i] == word)
-            return i;
-        known += (i > 0 ? ", " : "") + std::string(names[i]);
-    }
-    fail<InvalidInput>(place.text(), " is ", quoted(word.substr(0, 64)), ", must be one of ",
-                       known);
-}
-
 fs::path file_of(const json& value, const JsonPlace& place, const fs::path& folder, Scene& scene) {
     const std::string text = text_of(value, place);
     if (text.empty())

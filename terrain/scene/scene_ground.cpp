@@ -1,4 +1,5 @@
 #include "base/error.h"
+#include "terrain/material/material_reference.h"
 #include "terrain/scene/scene_json.h"
 
 #include <limits>

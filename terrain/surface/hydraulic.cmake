@@ -11,6 +11,5 @@ scree_add_sources(terrain
     erosion_ground.cpp
     erosion_loop.cpp
     erosion_scene.cpp
-    json_object.cpp
     sediment.cpp
     wet_erosion.cpp)

@@ -174,12 +174,9 @@ void GroundTextures::load_looks(const GlContext& context, const TerrainGround& g
     glNamedBufferStorage(looks_.id(),
                          static_cast<GLsizeiptr>(layers.records.size() * sizeof(LookRecord)),
                          layers.records.data(), 0);
-    glm::vec3 sum(0.0F);
     for (const LookRecord& record : layers.records) {
         detail_reach_ = std::max(detail_reach_, 0.5F * record.measure.y);
-        sum += glm::vec3(record.colour);
     }
-    mean_colour_ = sum / static_cast<float>(n);
 }
 
 void GroundTextures::update(const FloatRaster& displacement, const CellWindow& changed) {

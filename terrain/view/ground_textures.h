@@ -34,8 +34,7 @@ public:
     glm::vec2 size() const { return size_; }
     float lowest() const { return lowest_; }    ///< Height, no displacement may lie below it.
     float highest() const { return highest_; }  ///< Height, no displacement may lie above it.
-    float detail_reach() const { return detail_reach_; }    ///< How far looks may move a point.
-    glm::vec3 mean_colour() const { return mean_colour_; }  ///< Of the looks, linear.
+    float detail_reach() const { return detail_reach_; }  ///< How far looks may move a point.
 
 private:
     void load_heights(const Heightfield& base);
@@ -52,7 +51,6 @@ private:
     float map_cells_per_m_ = 1.0F;
     int map_width_ = 1, map_height_ = 1;
     int side_ = 1;
-    glm::vec3 mean_colour_{0.2F};
     glm::vec3 sun_{0.0F};
     CellWindow dirty_;  // in cells of the window
 

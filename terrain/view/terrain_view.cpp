@@ -244,7 +244,6 @@ void TerrainView::State::draw_walls(const TerrainFrame& frame) const {
         return;
     set_common(wall_program, frame);
     wall_program.set("foot", foot);
-    wall_program.set("wall_colour", 0.55F * ground.mean_colour() + glm::vec3(0.05F, 0.04F, 0.03F));
     wall_program.use();
     glBindVertexArray(walls.array.id());
     glDrawArrays(GL_TRIANGLES, 0, walls.n_drawn);

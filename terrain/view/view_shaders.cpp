@@ -115,7 +115,6 @@ layout(binding = 1) uniform sampler2D moved_heights;
 layout(location = 0) in vec4 wall;  // x, z, 1 at the top or 0 at the foot, side 0 to 3
 out vec3 world;
 flat out vec3 face;
-out float below;
 uniform vec2 ground_origin;
 uniform vec2 per_ground_size;
 uniform float foot;
@@ -126,29 +125,8 @@ void main() {
     vec2 uv = (wall.xy - ground_origin) * per_ground_size;
     float top = textureLod(base_heights, uv, 0.0).r + textureLod(moved_heights, uv, 0.0).r;
     world = vec3(wall.x, mix(foot, top, wall.z), wall.y);
-    below = top - world.y;
     face = faces[int(wall.w)];
     gl_Position = clip_from_world * vec4(world, 1.0);
-}
-)glsl";
-
-constexpr const char* kWallFragment = R"glsl(
-in vec3 world;
-flat in vec3 face;
-in float below;
-layout(location = 0) out vec4 picture;
-uniform vec3 wall_colour;
-
-void main() {
-    if (dot(face, eye - world) < 0.0)
-        discard;
-    vec2 along = vec2(dot(world.xz, face.zx), world.y);
-    float layers = lattice_noise(vec2(along.x * 0.6, along.y * 9.0) / patch_size * 2.0);
-    float grain = lattice_noise(along / patch_size * 60.0);
-    float fade = clamp(1.0 - fwidth(along.x) / patch_size * 60.0, 0.0, 1.0);
-    vec3 albedo = wall_colour * (0.82 + 0.22 * layers + 0.16 * fade * (grain - 0.5));
-    vec3 colour = lit_colour(albedo, face, 0.85, 1.0, 1.0, world);
-    picture = vec4(shown(colour), 1.0);
 }
 )glsl";
 
@@ -242,9 +220,6 @@ std::string sun_compute_glsl() {
 }
 std::string wall_vertex_glsl() {
     return std::string(kVersion) + kWallVertex;
-}
-std::string wall_fragment_glsl() {
-    return kVersion + std::string(noise_glsl()) + std::string(light_glsl()) + kWallFragment;
 }
 std::string object_vertex_glsl() {
     return std::string(kVersion) + kObjectVertex;

@@ -4,8 +4,8 @@
 
 namespace scree::terrain {
 
-// The GLSL of the view, stage by stage. Uniform names and texture units stand in view_shaders.cpp
-// and ground_shaders.cpp beside their use.
+// The GLSL of the view, stage by stage: ground_shaders.cpp has the mesh, shading_shaders.cpp the
+// ground's and walls' colours, view_shaders.cpp the rest.
 
 /// Texture units, the same in every program of the view.
 enum ViewUnit {

@@ -111,14 +111,26 @@ void stream_pass(benchmark::State& state) {
     set_counters(state, size, 1);
 }
 
-/// Whole grids slide: the base is loose too.
+/// Whole grids slide, because the base is loose too; small ones would come to rest after a while.
 void step_whole_grid(benchmark::State& state, const SoilField& soil, int iterations) {
+    constexpr int kFrames = 64;
     const int size = static_cast<int>(state.range(0));
-    Deformer deformer(rough_ground(size), soil, {.iterations = iterations, .keep_base = false});
-    const int all = deformer.step({}).tiles_stepped;
-    int least = all;
-    for (auto _ : state)
-        least = std::min(least, deformer.step({}).tiles_stepped);
+    const Heightfield& ground = rough_ground(size);
+    std::unique_ptr<Deformer> deformer;
+    int all = 0;
+    int least = std::numeric_limits<int>::max();
+    int frame = 0;
+    for (auto _ : state) {
+        if (frame++ % kFrames == 0) {
+            state.PauseTiming();
+            deformer = std::make_unique<Deformer>(
+                ground, soil, DeformerOptions{.iterations = iterations, .keep_base = false});
+            all = deformer->step({}).tiles_stepped;
+            deformer->step({});
+            state.ResumeTiming();
+        }
+        least = std::min(least, deformer->step({}).tiles_stepped);
+    }
     set_counters(state, size, iterations);
     state.counters["share_of_tiles"] = static_cast<double>(least) / all;
 }
@@ -205,6 +217,59 @@ void window_256(benchmark::State& state) {
     state.counters["iterations_per_step"] = static_cast<double>(state.range(0));
 }
 
+// --- Volume over many steps of one iteration, piles and contacts apart. ---
+
+/// What the displacements sum up to, as a share of all that moved.
+double drift_of(const Deformer& deformer) {
+    double sum = 0.0;
+    double moved = 0.0;
+    for (const float u : deformer.displacement(deformer.extent())) {
+        sum += double{u};
+        moved += std::fabs(double{u});
+    }
+    return std::fabs(sum) / moved;
+}
+
+Heightfield sand_cone(int size) {
+    Heightfield ground{FloatRaster(size, size), 0.05};
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x)
+            ground.heights(x, y) = static_cast<float>(
+                0.1 * std::max(0.0, size / 3.0 - std::hypot(x - size / 2.0, y - size / 2.0)));
+    return ground;
+}
+
+void volume_of_piles(benchmark::State& state, Reading reading, int steps) {
+    const Heightfield ground = sand_cone(256);
+    for (auto _ : state) {
+        Deformer deformer(
+            ground, SoilField(kSand),
+            {.reading = reading, .iterations = 1, .keep_base = false, .clamp_weights = true});
+        for (int step = 0; step < steps; ++step)
+            deformer.step({});
+        state.counters["relative_drift"] = drift_of(deformer);
+    }
+}
+
+void volume_of_contacts(benchmark::State& state, Reading reading, int steps) {
+    const Heightfield ground{FloatRaster(256, 256), 0.05};
+    for (auto _ : state) {
+        Deformer deformer(ground, SoilField(kSand),
+                          {.reading = reading, .iterations = 1, .clamp_weights = true});
+        for (int step = 0; step < steps; ++step) {
+            Load load = wheel(128.0 + 80.0 * std::sin(0.004 * step),
+                              128.0 + 60.0 * std::sin(0.0031 * step), 40, 16.0, 0.1);
+            if (reading ==
+                Reading::Literal)  // weaker forces move nothing there: (4.11) is too flat
+                for (FloatRaster* force : {&load.force_x, &load.force_z})
+                    for (float& f : *force)
+                        f *= 20.0F;
+            deformer.step({&load, 1});
+        }
+        state.counters["relative_drift"] = drift_of(deformer);
+    }
+}
+
 benchmark::internal::Benchmark* timed(const char* name, void (*run)(benchmark::State&)) {
     return benchmark::RegisterBenchmark(name, run)->Unit(benchmark::kMillisecond);
 }
@@ -218,6 +283,20 @@ const bool registered = [] {
     timed("deformer/per_cell_repose_1thread", per_cell_repose_1thread)->Arg(1024);
     timed("deformer/sparse_wheel", sparse_wheel)->Arg(16384);
     timed("deformer/window_256", window_256)->Arg(1)->Arg(4);
+    for (const Reading reading : {Reading::Sound, Reading::Literal}) {
+        const bool sound_form = reading == Reading::Sound;
+        const int steps = sound_form ? 10000 : 500;  // the literal form does not last as long
+        benchmark::RegisterBenchmark(
+            sound_form ? "deformer/volume_of_piles" : "deformer/literal_volume_of_piles",
+            volume_of_piles, reading, steps)
+            ->Unit(benchmark::kMillisecond)
+            ->Iterations(1);
+        benchmark::RegisterBenchmark(
+            sound_form ? "deformer/volume_of_contacts" : "deformer/literal_volume_of_contacts",
+            volume_of_contacts, reading, steps)
+            ->Unit(benchmark::kMillisecond)
+            ->Iterations(1);
+    }
     return true;
 }();
 

@@ -135,7 +135,7 @@ TEST_F(Erode, RefusesBadScenesAndSaysWhere) {
     };
     json bad = scene();
     bad["run"]["stops"] = 3;
-    refused(bad, "/run/stops is not known here");
+    refused(bad, "run has the unknown member \"stops\"");
     bad = scene();
     bad["fluid"]["sources"][0]["centre"] = {-0.4, -3, 0};
     refused(bad, "source 0 lies inside the mesh");

@@ -41,9 +41,9 @@ protected:
 
     fs::path at(const std::string& name) const { return folder_ / name; }
     test::ProgramRun render(std::vector<std::string> more) const {
-        std::vector<std::string> words{"render",     at("base.exr"),  "-o",  at("out.png"),
-                                       "--software", "--width",       "120", "--height",
-                                       "80",         "--shadow-size", "64"};
+        std::vector<std::string> words{"render",      at("base.exr"), "-o",
+                                       at("out.png"), "--software",   "--width",
+                                       "120",         "--height",     "80"};
         words.insert(words.end(), more.begin(), more.end());
         return test::scree(words);
     }

@@ -1,4 +1,4 @@
-#include "terrain/material/strict_json.h"
+#include "terrain/json/strict_json.h"
 
 #include "base/error.h"
 
@@ -200,19 +200,6 @@ void JsonObject::finish() const {
         fail<InvalidInput>(place_.text(), " has the unknown member ",
                            quoted(shortened(member.key())), "; known are ", known);
     }
-}
-
-int material_id(const json& value, const JsonPlace& place, const std::vector<Material>& materials) {
-    const bool by_name = value.is_string();
-    if (!by_name && !value.is_number_integer())
-        refuse_kind(place, value, "the name or the id of a material");
-    const std::string name = by_name ? text_of(value, place) : std::string();
-    const int id = by_name ? 0 : integer_of(value, place, 0, 255);
-    for (const Material& material : materials)
-        if (by_name ? material.name == name : material.id == id)
-            return material.id;
-    fail<InvalidInput>(place.text(), " is ", by_name ? quoted(shortened(name)) : std::to_string(id),
-                       ", which is no material of the table");
 }
 
 void check_format(JsonObject& object, std::string_view format) {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "terrain/material/description_map.h"
-
 #include <cstddef>
 #include <functional>
 #include <set>
@@ -11,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-// For the .cpp files of this folder: JSON whose every member is known, typed and in range.
+// For .cpp files alone, not installed: JSON whose every member is known, typed and in range.
 namespace scree::terrain {
 
 /// Parse text, refusing members given twice and nesting deeper than 16.
@@ -78,10 +76,6 @@ private:
     JsonPlace place_;
     std::set<std::string, std::less<>> asked_;
 };
-
-/// The id of a material given by its name or by its id. @throw InvalidInput  there is none.
-int material_id(const nlohmann::json& value, const JsonPlace& place,
-                const std::vector<Material>& materials);
 
 /// Check the members `format` and `version` (1) that open every file of ours.
 void check_format(JsonObject& object, std::string_view format);
