@@ -4,11 +4,11 @@
 #include "base/error.h"
 #include "base/whole_file.h"
 #include "meshing/gltf/gltf_morph.h"
-#include "meshing/gltf/gltf_read.h"
 #include "meshing/gltf/gltf_write.h"
+#include "meshing/io/mesh_io.h"
 #include "meshing/mesh/bounds.h"
+#include "meshing/mesh/cleaning.h"
 #include "meshing/mesh/normals.h"
-#include "meshing/mesh/weld.h"
 #include "terrain/fluid/particle_ply.h"
 #include "terrain/surface/erosion_checkpoint.h"
 #include "vision/image_io.h"
@@ -18,7 +18,6 @@
 #include <cstdio>
 #include <system_error>
 
-#include <glm/vec4.hpp>
 #include <nlohmann/json.hpp>
 
 namespace scree::apps {
@@ -34,23 +33,16 @@ constexpr std::size_t kLargestCheckpoint = std::size_t{1} << 32;
 constexpr std::size_t kMorphShapes = 4;
 constexpr const char* kCheckpoint = "checkpoint.bin";
 
-// One mesh in metres, one vertex a place: seams would tear.
-TriMesh load_mesh(const ErosionScene& scene, const fs::path& scene_file) {
+// An oriented manifold in metres; `repairs` says what had to be done for that.
+TriMesh load_mesh(const ErosionScene& scene, const fs::path& scene_file, std::string& repairs) {
     if (scene.mesh_file.empty())
         return terrain::make_ground(scene.ground);
     const fs::path path = scene_file.parent_path() / scene.mesh_file;
-    meshing::LoadedGltf loaded = meshing::read_glb(path);
-    if (loaded.meshes.size() != 1 || loaded.placements.size() > 1)
-        fail<InvalidInput>(path.string(), " holds ", loaded.meshes.size(), " meshes at ",
-                           loaded.placements.size(), " places; a scene takes one at one place");
-    TriMesh& mesh = loaded.meshes.front().geometry;
-    if (!loaded.placements.empty())
-        for (glm::vec3& p : mesh.positions)
-            p = glm::vec3(loaded.placements.front().world_from_mesh * glm::dvec4(glm::dvec3(p), 1));
-    TriMesh welded = meshing::weld(mesh);
-    if (welded.triangles.empty())
+    TriMesh mesh = meshing::read_mesh(path).mesh;
+    repairs = meshing::clean_text(meshing::clean_mesh(mesh, {.weld = true}));
+    if (mesh.triangles.empty())
         fail<InvalidInput>(path.string(), " holds no triangle; a scene takes a mesh of some");
-    return welded;
+    return mesh;
 }
 
 std::vector<std::uint8_t> glb_of(const TriMesh& mesh, const meshing::Adjacency& adjacency,
@@ -205,7 +197,7 @@ ErosionOutcome run_erosion_job(const ErosionJob& job, Progress* progress) {
     const std::string text = read_whole_file(job.scene, kLargestScene);
     const ErosionScene scene = terrain::erosion_scene_from_json(text, job.scene.string());
     ErosionOutcome outcome;
-    const TriMesh mesh = load_mesh(scene, job.scene);
+    const TriMesh mesh = load_mesh(scene, job.scene, outcome.repairs);
     const auto fluid = terrain::make_fluid(scene);
     ErosionRun run = begin_run(job, mesh, text, outcome);
     Recorder recorder(job, scene, text);
@@ -236,8 +228,8 @@ std::string erosion_text(const ErosionOutcome& outcome, const fs::path& folder) 
         r.times.curvature * per_step, r.times.laplacian * per_step, r.times.displacement * per_step,
         r.times.upkeep * per_step, r.volume - r.volume_before, r.step_limit, r.restarts,
         r.intersections, r.finished ? "" : "; stopped early, it would tangle: raise step_limit");
-    return std::string(text) + std::to_string(outcome.files.size()) + " files in " +
-           folder.string() + "\n";
+    return (outcome.repairs.empty() ? "" : "repaired: " + outcome.repairs + "\n") + text +
+           std::to_string(outcome.files.size()) + " files in " + folder.string() + "\n";
 }
 
 std::string erosion_json(const ErosionOutcome& o) {
@@ -279,6 +271,8 @@ std::string erosion_json(const ErosionOutcome& o) {
                                {"carried", o.sediment_carried},
                                {"lost", o.sediment_lost},
                                {"pending", o.sediment_pending}};
+    if (!o.repairs.empty())
+        json["repairs"] = o.repairs;
     if (!o.resumed.empty())
         json["resumed"] = o.resumed;
     json["files"] = o.files;

@@ -22,6 +22,7 @@ struct ErosionJob {
 struct ErosionOutcome {
     std::vector<std::string> files;  ///< Relative to the folder.
     std::string resumed;             ///< The checkpoint that it went on from; empty if none.
+    std::string repairs;             ///< What was wrong with the mesh file; empty if nothing.
     std::size_t n_vertices = 0;
     std::size_t n_triangles = 0;
     terrain::FluidTally tally;
