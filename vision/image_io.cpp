@@ -392,6 +392,10 @@ void write_gif(const fs::path& path, std::span<const Photo> pictures, double fra
                 output->write_image(OIIO::TypeDesc::UINT8, pictures[i].data());
     if (!sound || !output->close())
         fail<IoError>("cannot write ", path.string(), ": ", one_line(output->geterror()));
+    // The writer does not ask whether its bytes arrived; a whole file ends with a semicolon.
+    const std::string bytes = read_whole_file(path, std::size_t{1} << 31);
+    if (bytes.empty() || bytes.back() != ';')
+        fail<IoError>("cannot write ", path.string(), ": it was cut off, the disk may be full");
 }
 
 }  // namespace scree::vision

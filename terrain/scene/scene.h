@@ -28,7 +28,7 @@ struct GroundShape {
         Ripples,  ///< Waves with bent crests.
         Pile,     ///< A cone.
         Dune,     ///< A crescent: gentle to the wind, steep to the lee.
-        Ramp,     ///< A tilted plane through the ground's middle.
+        Ramp,     ///< A tilted plane through its centre.
         Mound,    ///< A Gaussian.
     };
     Kind kind = Kind::Hills;
@@ -43,8 +43,7 @@ struct GroundShape {
 
 /// The ground before anything moves.
 struct GroundSpec {
-    int width = 512;   ///< Cells along x.
-    int height = 512;  ///< Cells along z.
+    int width = 512, height = 512;  ///< Cells along x and z.
     double cell_size_m = 0.005;
     std::filesystem::path heights;  ///< Picture of heights in metres; else flat at 0.
     double height_scale = 1.0;      ///< Times the picture's values.
@@ -80,23 +79,19 @@ struct SceneObject {
 
 /// Where the pictures are taken from.
 struct SceneCamera {
-    double azimuth_deg = 25.0;
-    double elevation_deg = 35.0;
+    double azimuth_deg = 25.0, elevation_deg = 35.0;
     double field_of_view_deg = 32.0;
-    std::optional<glm::dvec3> eye_m;  ///< Both or none; none sees the whole ground.
-    std::optional<glm::dvec3> target_m;
-    double light_azimuth_deg = -55.0;
-    double light_elevation_deg = 32.0;
+    std::optional<glm::dvec3> eye_m, target_m;  ///< Both or none; none sees the whole ground.
+    double light_azimuth_deg = -55.0, light_elevation_deg = 32.0;
 };
 
 /// What a run writes beside the height maps.
 struct SceneOutputs {
-    int picture_width = 640;   ///< px
-    int picture_height = 400;  ///< px
-    int every = 1;             ///< Frames from one picture to the next.
-    int preview_width = 360;   ///< px, of the animated preview.
-    int mesh_side = 320;       ///< Most vertices along a side of terrain.glb.
-    int texture_side = 1024;   ///< Of its colour picture, px.
+    int picture_width = 640, picture_height = 400;  ///< px
+    int every = 1;                                  ///< Frames from one picture to the next.
+    int preview_width = 360;                        ///< px, of the animated preview.
+    int mesh_side = 320;                            ///< Most vertices along a side of terrain.glb.
+    int texture_side = 1024;                        ///< Of its colour picture, px.
 };
 
 /// Everything a run needs (docs/scene-files.md).
