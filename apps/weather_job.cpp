@@ -172,7 +172,7 @@ std::string weather_text(const WeatherJob& job, const WeatherOutcome& outcome) {
              << '\n';
     if (r.tested)
         text << "self-intersecting pairs of triangles: " << r.n_intersections << " (at the start "
-             << r.n_at_start << ")\n";
+             << r.n_at_start << (r.test_complete ? ")\n" : "); not all were looked at\n");
     else
         text << "self-intersections were not looked for\n";
     if (r.gave_up)
@@ -199,6 +199,7 @@ std::string weather_json(const WeatherJob& job, const WeatherOutcome& outcome) {
         {"gave_up", r.gave_up},
         {"vanished", r.vanished},
         {"self_intersections_tested", r.tested},
+        {"self_intersections_complete", r.test_complete},
         {"self_intersections", r.n_intersections},
         {"self_intersections_at_start", r.n_at_start},
         {"edges_collapsed", r.n_collapsed},

@@ -18,7 +18,8 @@ struct TrianglePair {
 /// Where a mesh meets itself other than along its shared edges and vertices.
 struct SelfIntersections {
     std::vector<TrianglePair> pairs;  ///< In order.
-    bool complete = true;             ///< False if the search stopped at its limit.
+    bool complete = true;  ///< False if the search stopped at its limit, or over a vertex with
+                           ///< thousands of triangles that could not be looked through.
 };
 
 /// Finds self-intersections of a mesh again and again while its vertices move.

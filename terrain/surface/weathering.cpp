@@ -125,6 +125,7 @@ struct Weathering::Run {
     void test() {
         const auto tangles = finder.find(now.mesh, adjacency);
         report.tested = true;
+        report.test_complete = tangles.complete;
         const auto allowed = static_cast<std::size_t>(now.n_at_start);
         if (tangles.pairs.size() <= allowed) {
             report.n_intersections = tangles.pairs.size();

@@ -88,6 +88,7 @@ struct WeatheringReport {
     std::size_t n_intersections = 0;  ///< Pairs of triangles at the last test.
     std::size_t n_at_start = 0;       ///< Pairs that the mesh came with.
     bool tested = false;              ///< There was a test.
+    bool test_complete = true;        ///< The last one looked at all pairs.
     bool gave_up = false;             ///< Too many restarts: the mesh is the last clean state.
     meshing::TrianglePair tangle;     ///< A pair that made it give up.
     bool vanished = false;            ///< Nothing is left but a point.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -146,6 +147,18 @@ TEST(SelfIntersection, StopsAtItsLimit) {
     EXPECT_FALSE(result.complete);
     EXPECT_GE(result.pairs.size(), 50U);
     EXPECT_LT(result.pairs.size(), 200'000U);
+}
+
+TEST(SelfIntersection, SaysWhenAStarIsTooLarge) {
+    TriMesh mesh;
+    mesh.positions = {{0, 0, 0}};
+    constexpr std::uint32_t n = 5000;
+    for (std::uint32_t i = 0; i < n; ++i) {  // twice around
+        const float a = 2 * 6.2831853F * static_cast<float>(i) / n;
+        mesh.positions.emplace_back(std::cos(a), 1e-4F * static_cast<float>(i), -std::sin(a));
+        mesh.triangles.emplace_back(0, 1 + i, 1 + (i + 1) % n);
+    }
+    EXPECT_FALSE(meshing::find_self_intersections(mesh, meshing::build_adjacency(mesh)).complete);
 }
 
 TEST(SelfIntersection, KeepsItsOrderWhenTrianglesGo) {
