@@ -304,7 +304,8 @@ void write_heights_exr(const fs::path& path, const HeightImage& heights) {
     spec.attribute(kScale, OIIO::TypeDesc::DOUBLE, &heights.metres_per_pixel);
     spec["ImageDescription"] = "heights in metres";
     spec["DateTime"] = "1970:01:01 00:00:00";  // else the present: same heights, other bytes
-    write_pixels(path, spec, OIIO::TypeDesc::FLOAT, heights.metres.data());
+    write_staged_file(path,
+                      encoded(path.string(), spec, OIIO::TypeDesc::FLOAT, heights.metres.data()));
 }
 
 void write_heights_png(const fs::path& path, const HeightImage& heights) {

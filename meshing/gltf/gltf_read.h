@@ -16,7 +16,7 @@ namespace scree::meshing {
 /// What a file may cost before it is refused.
 struct GltfLimits {
     std::size_t max_bytes = std::size_t{1} << 30;       ///< Of the file.
-    std::size_t max_json_bytes = std::size_t{1} << 24;  ///< Of its JSON part.
+    std::size_t max_json_bytes = std::size_t{1} << 26;  ///< Of its JSON part.
     std::size_t max_vertices = 50'000'000;              ///< Of all meshes together.
     std::size_t max_triangles = 100'000'000;            ///< Of all meshes together.
     std::size_t max_placements = 5'000'000;             ///< Nodes and copies that show a mesh.
