@@ -9,7 +9,8 @@ constexpr std::size_t kGrain = 4096;
 
 }  // namespace
 
-CellGrid make_cell_grid(const glm::vec3& low, const glm::vec3& high, float edge, std::size_t most) {
+PointGrid make_cell_grid(const glm::vec3& low, const glm::vec3& high, float edge,
+                         std::size_t most) {
     const glm::dvec3 extent = glm::dvec3(high) - glm::dvec3(low);
     double size = static_cast<double>(edge);
     const auto count = [&](double one) {
@@ -18,7 +19,7 @@ CellGrid make_cell_grid(const glm::vec3& low, const glm::vec3& high, float edge,
     };
     while (count(size) > static_cast<double>(most))
         size *= 1.25;
-    CellGrid grid;
+    PointGrid grid;
     grid.origin = low;
     grid.per_metre = static_cast<float>(1.0 / size);
     grid.size = glm::ivec3(glm::floor(extent / size)) + 1;

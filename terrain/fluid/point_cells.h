@@ -16,7 +16,7 @@
 namespace scree::terrain {
 
 /// A box divided into equal cells; what lies outside counts to the nearest cell.
-struct CellGrid {
+struct PointGrid {
     glm::vec3 origin{0.0F};
     float per_metre = 1.0F;  ///< One over the edge of a cell.
     glm::ivec3 size{1};
@@ -40,7 +40,7 @@ struct CellGrid {
 
 /// Cells of `edge` over a box, or larger ones if there would be more than `most`.
 /// @pre  Finite, low <= high, edge > 0.
-CellGrid make_cell_grid(const glm::vec3& low, const glm::vec3& high, float edge, std::size_t most);
+PointGrid make_cell_grid(const glm::vec3& low, const glm::vec3& high, float edge, std::size_t most);
 
 /// Points sorted by the cell they lie in, in flat arrays; within a cell by their index.
 class PointCells {
@@ -90,7 +90,7 @@ public:
     }
 
 private:
-    CellGrid grid_;
+    PointGrid grid_;
     glm::vec3 low_{0.0F}, high_{0.0F};
     std::vector<glm::vec3> points_;
     std::vector<std::uint32_t> order_;

@@ -78,7 +78,7 @@ private:
     SurfaceHit closest_on(std::uint32_t triangle, const glm::vec3& point) const;
     void fill_cells();
 
-    CellGrid grid_;
+    PointGrid grid_;
     glm::vec3 low_{0.0F}, high_{0.0F};
     std::vector<glm::vec3> corners_;  ///< Three a triangle.
     std::vector<glm::vec3> normals_;  ///< Unit; zero for a triangle without area.
