@@ -5,10 +5,7 @@
 #include "terrain/surface/sediment.h"
 #include "terrain/surface/wet_erosion.h"
 
-#include <cstddef>
 #include <functional>
-#include <span>
-#include <string_view>
 
 namespace scree::terrain {
 
@@ -107,6 +104,7 @@ struct ErosionHooks {
 
 /// Steps of fluid and erosion in turn (`mesh-erosion.md` 13), until the dose of `steps` at the
 /// first step limit is given.
+///
 /// Self-intersections that were not there at the start are rolled back to the last state that was
 /// looked at, and shorter steps are taken from there; a run that tangles too often ends at that
 /// state, with `finished` false.
@@ -114,8 +112,7 @@ struct ErosionHooks {
 /// @post  `run` holds the result; given to another call it goes on to the same end.
 /// @throw InvalidOption  a value is out of its range, or small faces shall be collapsed under
 ///                       sediment, which is kept by vertex.
-/// @throw InvalidInput   also if particles reach no farther than their radius.
-/// @throw Cancelled
+/// @throw InvalidInput, Cancelled  the first also if particles reach no farther than their radius.
 void run_erosion(ErosionRun& run, ParticleFluid& fluid, const ErosionLoopOptions& loop,
                  const WetErosionOptions& wet, const SedimentOptions& sediment,
                  const ErosionHooks& hooks = {});
