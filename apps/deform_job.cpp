@@ -7,6 +7,7 @@
 #include "terrain/scene/ground_mesh.h"
 #include "terrain/scene/scene_file.h"
 #include "terrain/scene/scene_painter.h"
+#include "vision/animation_io.h"
 #include "vision/image_io.h"
 
 #include <algorithm>

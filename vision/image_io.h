@@ -99,10 +99,4 @@ void write_planes_exr(const std::filesystem::path& path, std::span<const NamedPl
 /// A JPEG file in memory. @param quality 1 to 100.
 std::vector<std::uint8_t> encode_jpeg(const Photo& picture, int quality);
 
-/// Write an animated GIF that repeats for ever; every picture gets a palette of its own.
-/// @throw InvalidInput  no picture, pictures of different sizes, or a rate that is not positive.
-/// @throw IoError       names the path and the reason.
-void write_gif(const std::filesystem::path& path, std::span<const Photo> pictures,
-               double frames_per_second);
-
 }  // namespace scree::vision

@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "meshing/gltf/glb_parse.h"
 #include "meshing/gltf/glb_sections.h"
+#include "meshing/gltf/gltf_extras.h"
 #include "meshing/gltf/gltf_text.h"
 #include "meshing/gltf/mesh_encoding.h"
 
@@ -31,7 +32,6 @@ using gltf::padded;
 using gltf::Section;
 using gltf::Sections;
 using tinygltf::Model;
-using tinygltf::Value;
 
 bool starts_with(const std::vector<std::uint8_t>& bytes, std::initializer_list<int> head) {
     return bytes.size() > head.size() && std::equal(head.begin(), head.end(), bytes.begin());
@@ -245,28 +245,6 @@ void add_nodes(Draft& draft) {
     }
 }
 
-Value value_of(const GltfExtra& extra) {
-    if (const auto* number = std::get_if<double>(&extra.value))
-        return Value(*number);
-    if (const auto* flag = std::get_if<bool>(&extra.value))
-        return Value(*flag);
-    if (const auto* text = std::get_if<std::string>(&extra.value))
-        return Value(*text);
-    Value::Array array;
-    for (const double v : std::get<std::vector<double>>(extra.value))
-        array.emplace_back(v);
-    return Value(array);
-}
-
-Value value_of(const std::vector<GltfExtra>& extras) {
-    if (extras.empty())
-        return Value();
-    Value::Object object;
-    for (const GltfExtra& extra : extras)
-        object[extra.name] = value_of(extra);
-    return Value(object);
-}
-
 // Nodes that others name as their coarser selves are drawn in their stead, never beside them.
 void add_scene(Draft& draft) {
     const GltfScene& source = draft.scene;
@@ -278,7 +256,7 @@ void add_scene(Draft& draft) {
     for (int i = 0; i < static_cast<int>(source.nodes.size()); ++i)
         if (!stand_ins.contains(i))
             scene.nodes.push_back(i);
-    scene.extras = value_of(source.extras);
+    scene.extras = gltf::extras_value(source.extras);
     draft.model.scenes.push_back(std::move(scene));
     draft.model.defaultScene = 0;
 }
