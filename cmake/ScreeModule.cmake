@@ -41,10 +41,14 @@ function(scree_add_sources name)  # called in a folder of the module, with paths
   target_link_libraries(scree_${name} PRIVATE ${arg_PRIVATE})
 endfunction()
 
-# Two thirds of a build's time go into tests, so those are compiled lightly: little optimisation, and
-# without the costly checks of the undefined-behaviour sanitizer that the libraries keep.
+# Two thirds of a build's time go into tests, so those are compiled lightly: little optimisation or,
+# with sanitizers, none and no line numbers, and without the costly checks of the undefined-behaviour
+# sanitizer that the libraries keep.
 add_library(scree_test_flags INTERFACE)
 target_compile_options(scree_test_flags INTERFACE $<$<CONFIG:Release>:-O1>)
+if(SCREE_SANITIZE)
+  target_compile_options(scree_test_flags INTERFACE -O0 -g0)
+endif()
 if(SCREE_SANITIZE MATCHES "undefined")
   target_compile_options(scree_test_flags INTERFACE
     -fno-sanitize=null,alignment,object-size,vptr)

@@ -3,12 +3,13 @@
 #include "tests/support/sand_piles.h"
 
 #include <array>
+#include <string>
 
 #include <benchmark/benchmark.h>
 
 // A cone of sand of slope 2.0 (63 degrees) until no face between neighbours is steeper than 1.02
-// times the tangent of its repose: 30 degrees everywhere (first argument 0), or 30 degrees left of
-// the middle and 40 right of it (1). The second argument is the side of the grid.
+// times the tangent of its repose: 30 degrees everywhere, or 30 degrees left of
+// the middle and 40 right of it (`_two_soils`).
 namespace {
 
 using namespace scree;
@@ -23,11 +24,16 @@ struct Scene {
     FloatRaster pile;
 };
 
-Scene scene_of(const benchmark::State& state) {
-    const int side = static_cast<int>(state.range(1));
-    return {{FloatRaster(side, side), 1.0},
-            test::two_soils(side, 30, state.range(0) == 0 ? 30 : 40),
-            test::cone(side, side / 4.0, 2.0)};
+struct Pile {
+    const char* suffix = "";
+    int right_repose_deg = 30;
+    int side = 256;
+};
+
+Scene scene_of(const Pile& pile) {
+    return {{FloatRaster(pile.side, pile.side), 1.0},
+            test::two_soils(pile.side, 30, pile.right_repose_deg),
+            test::cone(pile.side, pile.side / 4.0, 2.0)};
 }
 
 // Greatest tangent of a face over that of its repose, and the share of faces above 1 + kOver.
@@ -69,8 +75,8 @@ void report(benchmark::State& state, const Scene& scene, const FloatRaster& rest
     state.counters["steepest_over_deg"] = test::steepest_over_deg(rest, scene.soil, 1.0);
 }
 
-void cone_to_rest(benchmark::State& state) {
-    const Scene scene = scene_of(state);
+void cone_to_rest(benchmark::State& state, const Pile& pile) {
+    const Scene scene = scene_of(pile);
     FloatRaster u;
     SettleReport settled;
     for (auto _ : state) {
@@ -80,15 +86,6 @@ void cone_to_rest(benchmark::State& state) {
     }
     report(state, scene, u, settled.sweeps);
 }
-BENCHMARK(cone_to_rest)
-    ->Name("deformer/cone_to_rest")
-    ->Args({0, 256})
-    ->Args({1, 256})
-    ->Args({0, 1024})
-    ->Args({1, 1024})
-    ->Unit(benchmark::kMillisecond)
-    ->MeasureProcessCPUTime()
-    ->UseRealTime();
 
 // One explicit step of the sound scheme's excess slide, in the plainest loops that vectorise.
 void explicit_step(const FloatRaster& from, FloatRaster& to, const SoilTile& soil) {
@@ -119,8 +116,8 @@ void explicit_step(const FloatRaster& from, FloatRaster& to, const SoilTile& soi
     }
 }
 
-void cone_explicit(benchmark::State& state) {
-    const Scene scene = scene_of(state);
+void cone_explicit(benchmark::State& state, const Pile& pile) {
+    const Scene scene = scene_of(pile);
     FloatRaster u;
     int steps = 0;
     for (auto _ : state) {
@@ -135,13 +132,6 @@ void cone_explicit(benchmark::State& state) {
     }
     report(state, scene, u, steps);
 }
-BENCHMARK(cone_explicit)
-    ->Name("deformer/cone_explicit")
-    ->Args({0, 256})
-    ->Args({1, 256})
-    ->Iterations(1)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
 
 // The thermal erosion that common tools offer: a cell looks at its eight neighbours, and gives half
 // of its greatest excess over the talus to those that lie lower by more than the talus, shared out
@@ -174,8 +164,8 @@ void thermal_step(const FloatRaster& from, FloatRaster& to, const SoilTile& soil
         }
 }
 
-void cone_thermal_8(benchmark::State& state) {
-    const Scene scene = scene_of(state);
+void cone_thermal_8(benchmark::State& state, const Pile& pile) {
+    const Scene scene = scene_of(pile);
     FloatRaster u;
     int steps = 0;
     for (auto _ : state) {
@@ -190,12 +180,25 @@ void cone_thermal_8(benchmark::State& state) {
     }
     report(state, scene, u, steps);
 }
-BENCHMARK(cone_thermal_8)
-    ->Name("deformer/cone_thermal_8")
-    ->Args({0, 256})
-    ->Args({1, 256})
-    ->Iterations(1)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+
+using Run = void (*)(benchmark::State&, const Pile&);
+
+benchmark::internal::Benchmark* named(const std::string& name, Run run, const Pile& pile) {
+    const auto bound = [run, pile](benchmark::State& state) { run(state, pile); };
+    return benchmark::RegisterBenchmark((name + pile.suffix).c_str(), bound)
+        ->Unit(benchmark::kMillisecond);
+}
+
+const bool registered = [] {
+    const Pile one;
+    const Pile two{.suffix = "_two_soils", .right_repose_deg = 40};
+    for (const Pile& pile : {one, two}) {
+        named("deformer/cone_to_rest", cone_to_rest, pile);
+        named("deformer/cone_explicit", cone_explicit, pile)->Iterations(1);
+        named("deformer/cone_thermal_8", cone_thermal_8, pile)->Iterations(1);
+    }
+    named("deformer/cone_to_rest", cone_to_rest, {.suffix = "/1024", .side = 1024});
+    return true;
+}();
 
 }  // namespace
