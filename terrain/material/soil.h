@@ -10,7 +10,8 @@ struct Soil {
     double repose_deg = 34.0;  ///< Angle of repose: steepest slope that holds, degrees.
     double mobility = 0.5;     ///< Inverse friction: how far a force pushes it; grid units.
     double diffusion = 0.2;    ///< D * dt / dx^2: share of a height difference in one iteration.
-    double compaction = 0.0;   ///< Share of the pushed volume that is pressed together and lost.
+    double compaction = 0.0;   ///< Share of what a load penetrates, times mobility, that is pressed
+                               ///< together in one iteration and lost (C.8).
 
     bool operator==(const Soil&) const = default;
 };
