@@ -39,6 +39,7 @@ void check_grid(const CellGrid& grid) {
 }
 
 // std::floor is a call on machines without SSE 4.1, and this is asked four times a vertex.
+// @pre  A finite value.
 int floor_of(double value) {
     const double near = std::clamp(value, -kFarthest, kFarthest);
     const int whole = static_cast<int>(near);
@@ -75,11 +76,12 @@ std::vector<CellPoint> placed(const meshing::TriMesh& mesh, const glm::dmat4& wo
     points.reserve(mesh.positions.size());
     for (const glm::vec3& p : mesh.positions) {
         const glm::dvec4 world = world_from_mesh * glm::dvec4(p.x, p.y, p.z, 1.0);
-        const CellPoint point = cell_point(world.x / cell_size, world.z / cell_size, world.y);
-        if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.height))
+        const double x = world.x / cell_size;
+        const double y = world.z / cell_size;
+        if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(world.y))
             fail<InvalidInput>("vertex ", points.size(),
                                " of an object is placed nowhere: its matrix is not finite");
-        points.push_back(point);
+        points.push_back(cell_point(x, y, world.y));
     }
     return points;
 }
