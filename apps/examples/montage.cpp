@@ -1,7 +1,7 @@
 // Pictures beside each other, brought to one height; a slash begins the next row. Makes
 // docs/images/.
 //
-//   build/release/apps/examples/montage docs/images/ground.jpg 320 a.png b.png / c.png d.png
+//   build/release/apps/examples/montage docs/images/ground.jpg 1200 a.png b.png / c.png d.png
 
 #include "base/number_text.h"
 #include "base/whole_file.h"
@@ -44,6 +44,19 @@ Photo at_height(const Photo& picture, int height) {
     return out;
 }
 
+// Beside each other, so high that they fill the width.
+Photo row_of(const std::vector<Photo>& pictures, int width) {
+    double aspect = 0.0;
+    for (const Photo& picture : pictures)
+        aspect += static_cast<double>(picture.width()) / picture.height();
+    const int room = width - kGap * (static_cast<int>(pictures.size()) - 1);
+    const int height = std::max(1, static_cast<int>(room / aspect));
+    Photo row = at_height(pictures[0], height);
+    for (std::size_t i = 1; i < pictures.size(); ++i)
+        row = scree::meshing::side_by_side(row, at_height(pictures[i], height), kGap);
+    return row;
+}
+
 // Below each other, with white where one is narrower.
 Photo stacked(const Photo& above, const Photo& below) {
     Photo out(std::max(above.width(), below.width()), above.height() + kGap + below.height(),
@@ -55,22 +68,19 @@ Photo stacked(const Photo& above, const Photo& below) {
     return out;
 }
 
-Photo montage(int height, std::span<char*> words) {
+Photo montage(int width, std::span<char*> words) {
     Photo all;
-    Photo row;
+    std::vector<Photo> row;
     const auto end_row = [&] {
         if (!row.empty())
-            all = all.empty() ? row : stacked(all, row);
-        row = {};
+            all = all.empty() ? row_of(row, width) : stacked(all, row_of(row, width));
+        row.clear();
     };
-    for (const std::string_view word : words) {
-        if (word == "/") {
+    for (const std::string_view word : words)
+        if (word == "/")
             end_row();
-            continue;
-        }
-        const Photo next = at_height(scree::vision::read_photo(word).pixels, height);
-        row = row.empty() ? next : scree::meshing::side_by_side(row, next, kGap);
-    }
+        else
+            row.push_back(scree::vision::read_photo(word).pixels);
     end_row();
     return all;
 }
@@ -78,13 +88,13 @@ Photo montage(int height, std::span<char*> words) {
 }  // namespace
 
 int main(int n_words, char** words) {
-    const auto height = n_words > 3 ? scree::parse_number<int>(words[2]) : std::nullopt;
-    if (!height || *height < 1 || *height > 4096) {
-        std::cerr << "usage: montage OUT.jpg HEIGHT PICTURE... [/ PICTURE...]\n";
+    const auto width = n_words > 3 ? scree::parse_number<int>(words[2]) : std::nullopt;
+    if (!width || *width < 64 || *width > 8192) {
+        std::cerr << "usage: montage OUT.jpg WIDTH PICTURE... [/ PICTURE...]\n";
         return 2;
     }
     try {
-        const Photo all = montage(*height, {words + 3, static_cast<std::size_t>(n_words - 3)});
+        const Photo all = montage(*width, {words + 3, static_cast<std::size_t>(n_words - 3)});
         scree::write_whole_file(words[1], scree::vision::encode_jpeg(all, 85));
         return 0;
     } catch (const std::exception& error) {
