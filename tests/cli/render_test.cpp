@@ -63,7 +63,8 @@ TEST_F(Render, DrawsFromFiles) {
         EXPECT_EQ(pictures.back().height(), 80);
     }
     EXPECT_NE(pictures[0], pictures[1]);
-    ASSERT_EQ(render({"--view", "height"}).status, 0);  // heights alone are enough
+    const auto plain = render({"--view", "height"});  // heights alone are enough
+    ASSERT_EQ(plain.status, 0) << plain.errors;
     EXPECT_NE(vision::read_photo(at("out.png")).pixels, pictures[1]);
 }
 
