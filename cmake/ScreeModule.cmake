@@ -1,5 +1,11 @@
 # The functions of the build: a module, a folder of a module, a test, a benchmark program.
 
+# Linking takes gcc's own linker four times as long, most of all with sanitizers.
+find_program(SCREE_LLD ld.lld)
+if(SCREE_LLD)
+  add_link_options(-fuse-ld=lld)
+endif()
+
 # Only libraries that are used are loaded: OpenImageIO alone brings 240 others, a quarter of a second
 # at every start.
 add_link_options(LINKER:--as-needed)
@@ -22,14 +28,25 @@ if(SCREE_SANITIZE)
     $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endif()
 
+# What nearly every file of a module includes, compiled once. Only the sanitizer builds do so: the
+# release build compiles each file on its own and so finds what forgot to include what it needs.
+function(scree_precompile target)
+  if(SCREE_MODULE_PCH)
+    target_precompile_headers(${target} PRIVATE <algorithm> <array> <cmath> <cstdint> <filesystem>
+      <functional> <limits> <memory> <numbers> <optional> <span> <sstream> <string> <string_view>
+      <utility> <vector> <glm/common.hpp> <glm/geometric.hpp> <glm/vec2.hpp> <glm/vec3.hpp> ${ARGN})
+  endif()
+endfunction()
+
 function(scree_add_module name)
-  cmake_parse_arguments(arg "" "" "HEADERS;SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(arg "" "" "HEADERS;SOURCES;PUBLIC;PRIVATE;PRECOMPILE" ${ARGN})
   add_library(scree_${name} STATIC ${arg_SOURCES})
   add_library(scree::${name} ALIAS scree_${name})
   set_target_properties(scree_${name} PROPERTIES EXPORT_NAME ${name})
   target_link_libraries(scree_${name}
     PUBLIC ${arg_PUBLIC} PRIVATE $<BUILD_INTERFACE:scree_flags> ${arg_PRIVATE})
   target_compile_features(scree_${name} PUBLIC cxx_std_20)
+  scree_precompile(scree_${name} ${arg_PRECOMPILE})
   target_sources(scree_${name} PUBLIC
     FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${arg_HEADERS})
   install(TARGETS scree_${name} EXPORT scree_targets
@@ -55,9 +72,10 @@ if(SCREE_SANITIZE)
 endif()
 
 # tests/<path>_test.cpp. The tests of a folder share one program, <folder>_tests: linking and starting
-# programs costs more than most tests do. Those with a label or a time limit of their own stand alone.
-# ctest lists each as <folder>/Suite.Name, or a program as one test in the sanitizer build, where a start
-# is slow. Labels: `threads` for what TSan should see, `slow` for what the sanitizer builds leave out.
+# programs costs more than most tests do, so ctest runs a program as one test, under the name of its
+# target; single ones are picked by --gtest_filter. Those with a label or a time limit of their own stand
+# alone, and those that wait for other programs (cli/) are listed each, as cli/Suite.Name.
+# Labels: `threads` for what TSan should see, `slow` for what the sanitizer builds leave out.
 # The program's target is left in scree_test_target.
 function(scree_add_test path)
   cmake_parse_arguments(arg "" "TIMEOUT" "LIBS;LABELS" ${ARGN})
@@ -88,12 +106,12 @@ function(scree_add_test_program target path folder timeout labels)
   if("threads" IN_LIST labels)
     set_property(GLOBAL APPEND PROPERTY SCREE_THREADED_TESTS ${target})
   endif()
-  if(SCREE_SANITIZE MATCHES "address" AND NOT folder STREQUAL "cli")  # those wait for other programs
-    add_test(NAME ${target} COMMAND ${target})
-    set_tests_properties(${target} PROPERTIES TIMEOUT 1200 LABELS "${labels}")
-  else()
+  if(folder STREQUAL "cli")
     gtest_discover_tests(${target} TEST_PREFIX ${folder}/ DISCOVERY_TIMEOUT 120
       PROPERTIES TIMEOUT ${timeout} LABELS "${labels}")
+  else()
+    add_test(NAME ${target} COMMAND ${target})
+    set_tests_properties(${target} PROPERTIES TIMEOUT 1200 LABELS "${labels}")
   endif()
 endfunction()
 
