@@ -15,7 +15,7 @@
 namespace scree::terrain {
 namespace {
 
-constexpr int kRowsAhead = 8;
+constexpr int kRowsAhead = 4;
 
 struct Arguments {
     const Patch& patch;
@@ -224,6 +224,9 @@ template <bool kWeighted, bool kPlanes, bool kLoad>
             gather_row(a.patch, front + 1);
         if (front + kRowsAhead < levels.front().end)
             fetch_row(a.patch.base.row(front + kRowsAhead), kPatchWidth);
+        const int written = front - (steps.iterations - 1) - kHalo + kRowsAhead;
+        if (written >= 0 && written < kTileHeight)
+            fetch_row_to_write(a.out + written * kTileWidth, kTileWidth);
         for (int i = 0; i < steps.iterations; ++i) {
             LevelOf<kLoad>& level = levels[static_cast<std::size_t>(i)];
             const int y = front - i;

@@ -52,6 +52,18 @@ struct RowPair {
 #endif
 }
 
+/// The same of a row to be written: it is read before a part of it can change.
+[[gnu::always_inline]] inline void fetch_row_to_write(float* row, int n) {
+#if defined(__GNUC__)
+    constexpr int kLine = 16;  // floats
+    for (int x = 0; x < n; x += kLine)
+        __builtin_prefetch(row + x, 1, 3);
+#else
+    (void)row;
+    (void)n;
+#endif
+}
+
 /// Fluxes through the four faces of a row of cells, and what is pressed together in them.
 struct RowFlux {
     const float *left, *above, *below, *compacted;
