@@ -6,6 +6,7 @@
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 #include <optional>
+#include <sstream>
 #include <vector>
 
 #ifdef SCREE_SANITIZED
@@ -146,12 +147,16 @@ GlContext::Attempt GlContext::try_make(const GlContextOptions& options) {
 #ifdef SCREE_SANITIZED
     a_context_was_asked_for = true;
 #endif
-    if (!epoxy_has_egl())
-        return {nullptr, std::string("there is no EGL library (libEGL.so.1): ") + kRemedy};
-    if (!library_is_there("libOpenGL.so.0") && !library_is_there("libGL.so.1"))
-        return {nullptr, std::string("there is no OpenGL library (libOpenGL.so.0 or libGL.so.1): "
-                                     "install libopengl0; ") +
-                             kRemedy};
+    std::ostringstream text;
+    if (!epoxy_has_egl()) {
+        text << "there is no EGL library (libEGL.so.1): " << kRemedy;
+        return {nullptr, text.str()};
+    }
+    if (!library_is_there("libOpenGL.so.0") && !library_is_there("libGL.so.1")) {
+        text << "there is no OpenGL library (libOpenGL.so.0 or libGL.so.1): install libopengl0; "
+             << kRemedy;
+        return {nullptr, text.str()};
+    }
     const auto all = candidates();
     for (const Candidate& candidate : all) {
         auto state = std::make_unique<State>();
@@ -159,7 +164,6 @@ GlContext::Attempt GlContext::try_make(const GlContextOptions& options) {
             continue;
         return {std::unique_ptr<GlContext>(new GlContext(std::move(state))), {}};
     }
-    std::ostringstream text;
     text << "no " << (options.software ? "software " : "") << "device gives an OpenGL 4.5 context "
          << "without a display (" << all.size() << " tried): " << kRemedy;
     return {nullptr, text.str()};
