@@ -11,7 +11,7 @@
 namespace scree::terrain {
 
 /// Most places of a lattice.
-inline constexpr std::size_t kMostLatticePlaces = std::size_t{1} << 24U;
+inline constexpr std::size_t kMostLatticePlaces = std::size_t{1} << 23U;
 
 /// Heights at evenly spread places; where nothing is known of the ground they are NaN.
 struct GroundLattice {

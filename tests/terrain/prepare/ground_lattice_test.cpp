@@ -97,11 +97,7 @@ TEST(GroundLattice, RefusesNoGround) {
             lattice_over({0, 0}, {5, 5}, std::size_t{1} << 30U);
         },
         ThrowsMessage<InvalidInput>(HasSubstr("ask for fewer vertices")));
-    EXPECT_THAT(
-        [] {
-            lattice_over({0, 0}, {1e12, 1e-3}, 1U << 24U);
-        },
-        ThrowsMessage<InvalidInput>(HasSubstr("too narrow")));
+    EXPECT_LE(lattice_over({0, 0}, {1e12, 1e-3}, 10'000).heights.size(), 20'000U);
     EXPECT_THROW(lattice_of(Heightfield{FloatRaster(1, 5), 1.0}, 10), InvalidInput);
     EXPECT_THAT(
         [] {
