@@ -48,9 +48,9 @@ GroundLattice lattice_over(const glm::dvec2& low, const glm::dvec2& high, std::s
                            kMostLatticePlaces, " are taken: ask for fewer vertices");
     // m along x and m size.y / size.x along z, as m^2 size.y / size.x = n
     const double along_x = std::sqrt(static_cast<double>(n) * size.x / size.y);
-    const auto count = [](double places) {
-        return static_cast<int>(
-            std::clamp(std::round(places), 2.0, double{kMostLatticePlaces} / 2));
+    const double most = std::max(2.0, 0.5 * static_cast<double>(n));  // the other side has 2
+    const auto count = [most](double places) {
+        return static_cast<int>(std::clamp(std::round(places), 2.0, most));
     };
     const int columns = count(along_x);
     const int rows = count(static_cast<double>(n) / along_x);
