@@ -34,7 +34,7 @@ struct SurveyOptions {
 
 template <class Visitor>
 void describe(SurveyOptions& o, Visitor&& field) {
-    field("ground-only", o.ground_only, {.help = "of classified points those of the ground alone"});
+    field("ground-only", o.ground_only, {.help = "take only the ground of classified points"});
     field("spacing", o.spacing,
           {.min = 0, .max = 1e6, .unit = "m", .help = "thin points to one a cell; 0: as needed"});
     field("keep", o.keep, {.help = "which point of a cell stays"});
