@@ -64,6 +64,17 @@ struct ErosionTimes {
     double upkeep = 0.0;  ///< Weathering, small faces, looks for self-intersections.
 };
 
+/// What the last step saw and did.
+struct ErosionStep {
+    double mean_edge = 0.0;  ///< Metres; of wear alone, as the curvatures and the farthest way.
+    double least_curvature = 0.0;
+    double greatest_curvature = 0.0;
+    double farthest = 0.0;       ///< Longest way of a vertex, metres.
+    std::size_t n_affected = 0;  ///< Vertices.
+    std::size_t n_particles = 0;
+    std::size_t n_touching = 0;  ///< Of them.
+};
+
 /// What a run did.
 struct ErosionReport {
     int steps = 0;                         ///< Done and kept.
@@ -78,6 +89,7 @@ struct ErosionReport {
     double mean_touching = 0.0;
     double mean_affected = 0.0;   ///< Vertices a step.
     std::size_t n_collapsed = 0;  ///< Edges, by small-face removal.
+    ErosionStep last;             ///< Not kept in checkpoints.
     ErosionTimes times;
 };
 
