@@ -3,6 +3,7 @@ scree_add_sources(terrain
     erosion_checkpoint.h
     erosion_ground.h
     erosion_loop.h
+    erosion_report.h
     erosion_scene.h
     sediment.h
     wet_erosion.h
