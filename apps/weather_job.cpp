@@ -179,6 +179,8 @@ WeatherOutcome run_weather_job(const WeatherJob& job, Progress* progress) {
     std::error_code ignored;
     if (fs::equivalent(job.mesh, job.output, ignored))
         fail<InvalidInput>("the output ", job.output.string(), " is the mesh itself");
+    if (!job.csv.empty() && (job.csv == job.output || fs::equivalent(job.mesh, job.csv, ignored)))
+        fail<InvalidInput>("the rows ", job.csv.string(), " would take the place of a mesh");
     report_progress(progress, "reading the mesh", 0.0);
     TriMesh start = meshing::read_mesh(job.mesh).mesh;
     if (start.triangles.empty())

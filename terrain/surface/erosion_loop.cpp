@@ -4,6 +4,7 @@
 #include "base/stopwatch.h"
 #include "meshing/mesh/small_faces.h"
 #include "meshing/space/self_intersection.h"
+#include "terrain/surface/cosmetic_noise.h"
 #include "terrain/surface/weathering_step.h"
 
 #include <algorithm>
@@ -15,7 +16,8 @@ namespace {
 
 using meshing::Adjacency;
 
-constexpr double kSmallFace = 0.1;   // shortest edge, in mean edges (`mesh-erosion.md` 5)
+constexpr double kSmallFace = 0.1;  // shortest edge, in mean edges (`mesh-erosion.md` 5)
+constexpr std::uint64_t kNoiseSeed = 1;
 constexpr double kDoseSlack = 1e-9;  // of a step: sums of 1/x are rounded
 
 void check_options(const ErosionLoopOptions& loop) {
@@ -66,6 +68,8 @@ private:
         if (run_.step_limit == 0.0) {
             run_.step_limit =
                 loop_.scheme == ErosionScheme::Wear ? wet.step_limit : sediment.step_limit;
+            if (loop_.cosmetic_noise > 0.0)
+                roughen(run_.mesh, adjacency_, loop_.cosmetic_noise, kNoiseSeed);
             run_.report.volume_before = meshing::signed_volume(run_.mesh);
             if (looks())
                 run_.report.intersections_before = crossings();

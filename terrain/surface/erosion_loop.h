@@ -31,7 +31,8 @@ struct ErosionLoopOptions {
     int max_restarts = 6;      ///< Tangles after which a run stops.
     bool keep_dose = true;     ///< After a tangle take more steps, so that as much is worn.
     bool small_faces = false;  ///< Collapse edges below a tenth of the mean after every step.
-    double weathering = 0.0;   ///< Share of a step of weathering that follows each step of water.
+    double cosmetic_noise = 0.0;  ///< Of the mesh at the start, to either side, mean edges.
+    double weathering = 0.0;  ///< Share of a step of weathering that follows each step of water.
 };
 
 template <class Visitor>
@@ -50,6 +51,8 @@ void describe(ErosionLoopOptions& o, Visitor&& field) {
           {.min = 0, .max = 30, .help = "tangles after which a run stops"});
     field("keep-dose", o.keep_dose, {.help = "after a tangle take more, shorter steps"});
     field("small-faces", o.small_faces, {.help = "collapse small faces after every step"});
+    field("cosmetic-noise", o.cosmetic_noise,
+          {.min = 0, .max = 0.5, .help = "roughness of the mesh at the start, mean edges"});
     field("weathering", o.weathering,
           {.min = 0, .max = 1, .help = "share of a weathering step after each step of water"});
 }

@@ -1,5 +1,6 @@
 scree_add_sources(terrain
   HEADERS
+    cosmetic_noise.h
     erosion_checkpoint.h
     erosion_ground.h
     erosion_loop.h
@@ -8,6 +9,7 @@ scree_add_sources(terrain
     sediment.h
     wet_erosion.h
   SOURCES
+    cosmetic_noise.cpp
     erosion_checkpoint.cpp
     erosion_ground.cpp
     erosion_loop.cpp

@@ -127,6 +127,9 @@ TEST_F(Weather, NamesWhatIsWrong) {
     EXPECT_THAT(test::scree({"weather", at("cube.obj"), "-o", at("cube.obj")}).errors,
                 HasSubstr("is the mesh itself"));
     EXPECT_THAT(
+        test::scree({"weather", at("cube.obj"), "-o", at("x.obj"), "--csv", at("cube.obj")}).errors,
+        HasSubstr("would take the place of a mesh"));
+    EXPECT_THAT(
         test::scree({"weather", at("cube.obj"), "-o", at("x.obj"), "--power", "0.5"}).errors,
         HasSubstr("power is 0.5, must be in [1, 100]"));
     write_whole_file(at("points.obj"), std::string_view("v 0 0 0\nv 1 0 0\n"));

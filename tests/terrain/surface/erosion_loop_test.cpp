@@ -221,6 +221,21 @@ TEST(ErosionLoop, WeathersBetweenItsSteps) {
     EXPECT_GT(lowered, 0.1);
 }
 
+TEST(ErosionLoop, RoughensItsMeshOnce) {
+    const TriMesh before = terrain::make_ground(kCanyon);
+    const ErosionRun run = carve(4, {}, {}, {.cosmetic_noise = 0.1});
+    const double most = 0.1 * meshing::mean_edge_length(before, meshing::build_adjacency(before));
+    std::size_t n_moved = 0;
+    for (std::size_t i = 0; i < before.positions.size(); ++i) {
+        const glm::vec3 p = before.positions[i];
+        if (p.y < 0.4F)
+            continue;  // may be wet
+        n_moved += run.mesh.positions[i] == p ? 0 : 1;
+        EXPECT_LE(glm::distance(run.mesh.positions[i], p), 1.001 * most);
+    }
+    EXPECT_GT(n_moved, 50U);
+}
+
 TEST(ErosionLoop, CollapsesSmallFaces) {
     // One vertex of the bed lies a hair's breadth from its neighbour.
     ErosionRun run = run_of(terrain::make_ground(kCanyon));
