@@ -136,33 +136,49 @@ private:
         return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     }
 
+    // Steps of the lattice that lie in [low, high] along an axis, as far as it goes.
+    static std::pair<int, int> steps_in(double low, double high, double start, double step, int n) {
+        const double first = std::ceil((low - start) / step - 1e-9);
+        const double last = std::floor((high - start) / step + 1e-9);
+        return {static_cast<int>(std::clamp(first, 0.0, static_cast<double>(n))),
+                static_cast<int>(std::clamp(last, -1.0, n - 1.0))};
+    }
+
+    // Row by row: what a triangle costs is its rows and the places that it covers, however thin and
+    // long it is.
     static void sample(GroundLattice& lattice, const glm::dvec3& a, const glm::dvec3& b,
                        const glm::dvec3& c) {
-        const auto plan = [](const glm::dvec3& p) { return glm::dvec2(p.x, p.z); };
-        const double whole = twice_area(plan(a), plan(b), plan(c));
+        const glm::dvec2 pa(a.x, a.z), pb(b.x, b.z), pc(c.x, c.z);
+        const double whole = twice_area(pa, pb, pc);
         if (whole == 0.0)
             return;
-        const auto first = [](double low, double start, double step) {
-            return std::max(0, static_cast<int>(std::ceil((low - start) / step - 1e-9)));
-        };
-        const auto last = [](double high, double start, double step, int n) {
-            return std::min(n - 1, static_cast<int>(std::floor((high - start) / step + 1e-9)));
-        };
-        const int i0 = first(std::min({a.x, b.x, c.x}), lattice.first.x, lattice.step.x);
-        const int j0 = first(std::min({a.z, b.z, c.z}), lattice.first.y, lattice.step.y);
-        const int i1 = last(std::max({a.x, b.x, c.x}), lattice.first.x, lattice.step.x,
-                            lattice.heights.width());
-        const int j1 = last(std::max({a.z, b.z, c.z}), lattice.first.y, lattice.step.y,
-                            lattice.heights.height());
-        for (int j = j0; j <= j1; ++j)
+        const auto [j0, j1] = steps_in(std::min({a.z, b.z, c.z}), std::max({a.z, b.z, c.z}),
+                                       lattice.first.y, lattice.step.y, lattice.heights.height());
+        for (int j = j0; j <= j1; ++j) {
+            const double z = lattice.place(0, j).y;
+            double low = std::numeric_limits<double>::max(), high = -low;
+            for (const auto& [from, to] :
+                 {std::pair(pa, pb), std::pair(pb, pc), std::pair(pc, pa)}) {
+                const double f =
+                    from.y == to.y ? 0.0 : std::clamp((z - from.y) / (to.y - from.y), 0.0, 1.0);
+                if (std::abs(from.y + f * (to.y - from.y) - z) > 1e-6 * lattice.step.y)
+                    continue;  // the side does not reach this row
+                const double x = from.x + f * (to.x - from.x);
+                const double other = from.y == to.y ? to.x : x;
+                low = std::min({low, x, other});
+                high = std::max({high, x, other});
+            }
+            const auto [i0, i1] =
+                steps_in(low, high, lattice.first.x, lattice.step.x, lattice.heights.width());
             for (int i = i0; i <= i1; ++i) {
                 const glm::dvec2 p = lattice.place(i, j);
-                const double u = twice_area(p, plan(b), plan(c)) / whole;
-                const double v = twice_area(plan(a), p, plan(c)) / whole;
+                const double u = twice_area(p, pb, pc) / whole;
+                const double v = twice_area(pa, p, pc) / whole;
                 if (std::min({u, v, 1.0 - u - v}) >= -1e-9)
                     lattice.heights(i, j) =
                         static_cast<float>(u * a.y + v * b.y + (1.0 - u - v) * c.y);
             }
+        }
     }
 
     std::vector<glm::dvec3> points_;
