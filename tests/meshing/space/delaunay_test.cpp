@@ -76,6 +76,19 @@ TEST(Delaunay, TakesGridsWhereCirclesHoldFourPoints) {
         EXPECT_NEAR(turn(points[t.x], points[t.y], points[t.z]), 0.0625, 1e-12);
 }
 
+TEST(Delaunay, TakesCrossingLinesWithoutFlippingForever) {
+    // In the order of the curve alone every point of the second line would flip those of the first.
+    std::vector<glm::dvec2> points;
+    constexpr int kSide = 20'000;
+    for (int i = 0; i <= kSide; ++i) {
+        points.emplace_back(i, i);
+        points.emplace_back(i, kSide - i + 0.5);
+    }
+    const auto plan = triangulate_plan(points);
+    EXPECT_GT(plan.triangles.size(), points.size());
+    EXPECT_NEAR(area_of(points, plan), 1.0 * kSide * kSide, 0.01 * kSide * kSide);
+}
+
 TEST(Delaunay, LeavesRepeatedPointsOut) {
     std::vector<glm::dvec2> points = scattered(50, 1);
     const std::size_t n = triangulate_plan(points).triangles.size();
