@@ -51,6 +51,13 @@ std::span<const Command> commands() {
           "by "
           "one, each whole, all else at the end."},
          run_erode},
+        {{"terrain", "make a mesh of ground from a height map or survey points; cut river beds in",
+          "scree terrain heights.exr -o river.ply --vertices 20000 --bed bed.json",
+          "Reads a height map (EXR in metres, PNG) or the points of a PLY or LAS file. Points are "
+          "thinned, triangulated and moved so that the least x and z are 0; lines of beds are "
+          "given in the file's own coordinates. The mesh is an open sheet that scree erode and "
+          "scree weather take. docs/terrain-preparation.md describes the file of beds."},
+         run_terrain},
         {{"render", "draw a ground: textured, as wires, by height or by material",
           "scree render heights.exr -o ground.png --map ground --view textured",
           "Needs OpenGL 4.5 but no display and no graphics card: Mesa draws on the processor where "

@@ -22,6 +22,7 @@ void run_procedural(Arguments& arguments);
 void run_describe(Arguments& arguments);
 void run_erode(Arguments& arguments);
 void run_weather(Arguments& arguments);
+void run_terrain(Arguments& arguments);
 void run_render(Arguments& arguments);
 void run_score(Arguments& arguments);
 void run_check(Arguments& arguments);

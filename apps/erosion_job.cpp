@@ -1,6 +1,7 @@
 #include "apps/erosion_job.h"
 
 #include "apps/erosion_pictures.h"
+#include "apps/erosion_rows.h"
 #include "base/error.h"
 #include "base/whole_file.h"
 #include "meshing/gltf/gltf_morph.h"
@@ -27,11 +28,13 @@ namespace fs = std::filesystem;
 using meshing::TriMesh;
 using terrain::ErosionRun;
 using terrain::ErosionScene;
+using terrain::StepCsv;
 
 constexpr std::size_t kLargestScene = std::size_t{1} << 20;
 constexpr std::size_t kLargestCheckpoint = std::size_t{1} << 32;
 constexpr std::size_t kMorphShapes = 4;
 constexpr const char* kCheckpoint = "checkpoint.bin";
+constexpr const char* kSteps = "steps.csv";
 
 // An oriented manifold in metres; `repairs` says what had to be done for that.
 TriMesh load_mesh(const ErosionScene& scene, const fs::path& scene_file, std::string& repairs) {
@@ -72,7 +75,10 @@ std::string numbered(const char* folder, int step, const char* ending) {
 class Recorder {
 public:
     Recorder(const ErosionJob& job, const ErosionScene& scene, const std::string& text)
-        : job_(job), scene_(scene), text_(text) {}
+        : job_(job),
+          scene_(scene),
+          text_(text),
+          rows_(job.folder / kSteps, scene.output.csv == StepCsv::Times) {}
 
     void start(const TriMesh& mesh) {
         first_ = mesh.positions;
@@ -82,6 +88,8 @@ public:
     void after_step(const ErosionRun& run) {
         const int step = run.report.steps;
         const terrain::ErosionOutput& out = scene_.output;
+        if (out.csv != StepCsv::None)
+            rows_.add(run);
         if (out.mesh_every > 0 && step % out.mesh_every == 0)
             write(numbered("meshes", step, "glb"),
                   glb_of(run.mesh, meshing::build_adjacency(run.mesh), "ground"));
@@ -92,6 +100,10 @@ public:
         }
         if (out.checkpoint_every > 0 && run.sound &&
             step - last_checkpoint_ >= out.checkpoint_every) {
+            if (out.csv != StepCsv::None) {
+                write_whole_file(job_.folder / kSteps, rows_.text());
+                note(kSteps);
+            }
             write(kCheckpoint, terrain::encode_checkpoint(run, text_));
             last_checkpoint_ = step;
         }
@@ -101,11 +113,16 @@ public:
             shapes_.push_back({"step_" + std::to_string(step), run.mesh.positions});
     }
 
-    void went_on_from(const ErosionRun& run) { last_checkpoint_ = run.report.steps; }
+    void went_on_from(const ErosionRun& run) {
+        last_checkpoint_ = run.report.steps;
+        if (scene_.output.csv != StepCsv::None)
+            rows_.resume(run);
+    }
 
     const std::vector<glm::vec3>& first() const { return first_; }
     std::vector<meshing::MorphShape> shapes() const { return shapes_; }
     std::vector<std::string> files() const { return files_; }
+    std::string rows() const { return rows_.text(); }
 
 private:
     void write(const std::string& name, const std::vector<std::uint8_t>& bytes) {
@@ -123,6 +140,7 @@ private:
     std::vector<glm::vec3> first_;
     std::vector<meshing::MorphShape> shapes_;
     std::vector<std::string> files_;
+    ErosionRows rows_;
     int last_checkpoint_ = 0;
 };
 
@@ -137,10 +155,13 @@ void write_results(const ErosionJob& job, const ErosionScene& scene, const TriMe
                    const ErosionRun& run, const Recorder& recorder, ErosionOutcome& outcome) {
     OutputBatch batch;
     const auto stage = [&](const std::string& name) {
-        outcome.files.push_back(name);
+        if (std::find(outcome.files.begin(), outcome.files.end(), name) == outcome.files.end())
+            outcome.files.push_back(name);
         return batch.stage(job.folder / name);
     };
     outcome.files = recorder.files();
+    if (scene.output.csv != StepCsv::None)
+        write_staged_file(stage(kSteps), recorder.rows());
     write_staged_file(stage("ground.glb"),
                       glb_of(run.mesh, meshing::build_adjacency(run.mesh), "ground"));
     const bool same = run.mesh.triangles == first.triangles;

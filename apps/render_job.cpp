@@ -1,39 +1,16 @@
 #include "apps/render_job.h"
 
+#include "apps/ground_file.h"
 #include "base/whole_file.h"
 #include "terrain/material/map_files.h"
 #include "vision/image_io.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace scree::apps {
 namespace {
 
 using terrain::Heightfield;
-
-Heightfield read_ground(const RenderJob& job) {
-    vision::HeightImage image = vision::read_heights(job.heights);
-    if (!image.in_metres && !(job.options.height_m > 0.0))
-        fail<InvalidInput>(job.heights.string(),
-                           " does not say its heights in metres; give that of white with "
-                           "--height-m");
-    if (job.options.height_m > 0.0) {
-        if (image.in_metres)
-            fail<InvalidInput>(job.heights.string(),
-                               " says its heights in metres; leave --height-m out");
-        for (float& height : image.metres)
-            height *= static_cast<float>(job.options.height_m);
-    }
-    const double cell = job.options.width_m > 0.0
-                            ? job.options.width_m / std::max(1, image.metres.width())
-                            : image.metres_per_pixel;
-    if (!(cell > 0.0))
-        fail<InvalidInput>(job.heights.string(), " does not say its scale; give it with --width-m");
-    Heightfield ground{std::move(image.metres), cell};
-    terrain::check_heightfield(ground);
-    return ground;
-}
 
 FloatRaster read_displacement_of(const RenderJob& job, const Heightfield& ground) {
     if (job.displacement.empty())
@@ -64,7 +41,8 @@ terrain::TerrainFrame frame_of(const RenderJob& job, const Heightfield& ground) 
 }  // namespace
 
 std::string run_render_job(const RenderJob& job) {
-    const Heightfield ground = read_ground(job);
+    const Heightfield ground =
+        read_ground(job.heights, {job.options.width_m, job.options.height_m});
     const FloatRaster displacement = read_displacement_of(job, ground);
     terrain::DescriptionMap map;
     terrain::TerrainGround shown;

@@ -1,5 +1,6 @@
 #include "apps/weather_job.h"
 
+#include "apps/step_log.h"
 #include "apps/weather_pictures.h"
 #include "base/number_text.h"
 #include "base/whole_file.h"
@@ -24,6 +25,51 @@ using terrain::Weathering;
 
 constexpr std::size_t kMostCheckpointBytes = std::size_t{8} << 30;
 
+// A row a step (`mesh-erosion.md` 12).
+class Rows {
+public:
+    explicit Rows(const WeatherJob& job) : job_(job), log_(job.csv, header(job.csv_times)) {}
+
+    void resume(const Weathering& run) {
+        if (wanted())
+            log_.resume(run.report().steps);
+    }
+
+    void add(const Weathering& run) {
+        const terrain::WeatheringReport& r = run.report();
+        if (!wanted())
+            return;
+        CsvRow row;
+        row.put(r.step_limit).put(r.restarts).put(r.last.mean_edge);
+        row.put(r.last.range.low).put(r.last.range.high).put(r.last.n_moved);
+        row.put(r.last.farthest).put(meshing::signed_volume(run.mesh()));
+        row.put(meshing::surface_area(run.mesh())).put(run.mesh().positions.size());
+        row.put(run.mesh().triangles.size()).put(r.n_intersections);
+        const double times[] = {r.step_seconds, r.small_seconds, r.test_seconds};
+        for (std::size_t k = 0; k < std::size(times); ++k) {
+            if (job_.csv_times)
+                row.put(1e3 * (times[k] - before_[k]));
+            before_[k] = times[k];
+        }
+        log_.add(r.steps, row.text());
+    }
+
+    bool wanted() const { return !job_.csv.empty(); }
+    std::string text() const { return log_.text(); }
+
+private:
+    static std::string header(bool times) {
+        return std::string(
+                   "step,step_limit,restarts,mean_edge_m,curvature_low,curvature_high,moved,"
+                   "farthest_m,volume_m3,area_m2,vertices,triangles,self_intersections") +
+               (times ? ",step_ms,small_faces_ms,test_ms" : "");
+    }
+
+    const WeatherJob& job_;
+    StepLog log_;
+    double before_[3] = {};
+};
+
 // Saves the run from time to time, and once more when it is stopped.
 class Checkpoint {
 public:
@@ -39,17 +85,19 @@ public:
             job_.checkpoint.string());
     }
 
-    void save(const Weathering& run) {
+    void save(const Weathering& run, const Rows& rows) {
         if (job_.checkpoint.empty())
             return;
+        if (rows.wanted())
+            write_whole_file(job_.csv, rows.text());
         write_whole_file(job_.checkpoint,
                          std::string_view(terrain::encode_state(run.state(), key_)));
         last_ = Clock::now();
     }
 
-    void save_if_due(const Weathering& run) {
+    void save_if_due(const Weathering& run, const Rows& rows) {
         if (std::chrono::duration<double>(Clock::now() - last_).count() >= job_.save_seconds)
-            save(run);
+            save(run, rows);
     }
 
     void remove() const {
@@ -65,15 +113,16 @@ private:
     Clock::time_point last_ = Clock::now();
 };
 
-void run_to_the_end(Weathering& run, Checkpoint& checkpoint, Progress* progress) {
+void run_to_the_end(Weathering& run, Checkpoint& checkpoint, Rows& rows, Progress* progress) {
     try {
         while (!run.finished()) {
             report_progress(progress, "weathering", run.report().dose / run.report().dose_wanted);
             run.advance();
-            checkpoint.save_if_due(run);
+            rows.add(run);
+            checkpoint.save_if_due(run, rows);
         }
     } catch (const Cancelled&) {
-        checkpoint.save(run);
+        checkpoint.save(run, rows);
         throw;
     }
 }
@@ -102,7 +151,7 @@ bool is_closed(const meshing::Adjacency& adjacency) {
 }
 
 void write_results(const WeatherJob& job, const TriMesh& start, const Weathering& run,
-                   Progress* progress) {
+                   const Rows& rows, Progress* progress) {
     report_progress(progress, "writing files", 0.0);
     const WornMesh after = worn(job, run.mesh(), run.adjacency());
     meshing::MeshFile file{after.mesh, {}};
@@ -111,6 +160,8 @@ void write_results(const WeatherJob& job, const TriMesh& start, const Weathering
     OutputBatch batch;
     write_staged_file(batch.stage(job.output), std::string_view(meshing::encode_mesh(
                                                    file, meshing::mesh_format_of(job.output))));
+    if (rows.wanted())
+        write_staged_file(batch.stage(job.csv), std::string_view(rows.text()));
     if (!job.before_after.empty() && !after.mesh.triangles.empty())
         vision::write_png(
             batch.stage(job.before_after),
@@ -128,6 +179,8 @@ WeatherOutcome run_weather_job(const WeatherJob& job, Progress* progress) {
     std::error_code ignored;
     if (fs::equivalent(job.mesh, job.output, ignored))
         fail<InvalidInput>("the output ", job.output.string(), " is the mesh itself");
+    if (!job.csv.empty() && (job.csv == job.output || fs::equivalent(job.mesh, job.csv, ignored)))
+        fail<InvalidInput>("the rows ", job.csv.string(), " would take the place of a mesh");
     report_progress(progress, "reading the mesh", 0.0);
     TriMesh start = meshing::read_mesh(job.mesh).mesh;
     if (start.triangles.empty())
@@ -144,8 +197,10 @@ WeatherOutcome run_weather_job(const WeatherJob& job, Progress* progress) {
                          : std::make_unique<Weathering>(start, job.options);
     outcome.volume_before = meshing::signed_volume(start);
     outcome.closed = is_closed(run->adjacency());
-    run_to_the_end(*run, checkpoint, progress);
-    write_results(job, start, *run, progress);
+    Rows rows(job);
+    rows.resume(*run);
+    run_to_the_end(*run, checkpoint, rows, progress);
+    write_results(job, start, *run, rows, progress);
     checkpoint.remove();
     outcome.report = run->report();
     outcome.n_vertices = run->mesh().positions.size();

@@ -16,6 +16,8 @@ struct WeatherJob {
     std::filesystem::path before_after;  ///< Picture; empty draws none.
     std::filesystem::path turntable;     ///< Picture; empty draws none.
     std::filesystem::path checkpoint;    ///< Kept while the run lasts; empty keeps none.
+    std::filesystem::path csv;           ///< A row a step; empty writes none.
+    bool csv_times = false;              ///< Milliseconds besides: no two runs are alike then.
     bool curvature_colours = false;      ///< On the output's vertices and in the pictures.
     double save_seconds = 10.0;          ///< Between two checkpoints.
     meshing::CleanOptions clean;

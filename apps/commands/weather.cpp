@@ -19,6 +19,10 @@ void run_weather(Arguments& arguments) {
                    job.turntable);
     arguments.path({"checkpoint", 0, "FILE", "save the run here, and go on from it", false},
                    job.checkpoint);
+    arguments.path(
+        {"csv", 0, "FILE.csv", "a row a step: volume, area, farthest way and more", false},
+        job.csv);
+    arguments.flag("csv-times", job.csv_times, {.help = "add milliseconds to the rows"});
     arguments.flag("save-seconds", job.save_seconds,
                    {.min = 0, .max = 86400, .unit = "s", .help = "time between checkpoints"});
     arguments.flag("curvature-colours", job.curvature_colours,

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "meshing/io/mesh_io.h"
+#include "meshing/io/point_io.h"
 
 #include <string>
 #include <string_view>
@@ -36,6 +37,8 @@ public:
     MeshFile finish();
 
     MeshFile file;
+    /// Where to put the vertices as the file has them too; null keeps the floats alone.
+    std::vector<glm::dvec3>* exact = nullptr;
 
 private:
     const Source& source_;
@@ -45,6 +48,8 @@ MeshFile decode_obj(const Source& source);
 MeshFile decode_ply(const Source& source);
 MeshFile decode_off(const Source& source);
 MeshFile decode_stl(const Source& source);
+PointCloud decode_ply_points(const Source& source);
+PointCloud decode_las(const Source& source);
 
 std::string encode_obj(const MeshFile& file);
 std::string encode_ply(const MeshFile& file, bool text);

@@ -34,6 +34,8 @@ void Builder::add_vertex(double x, double y, double z) {
     if (file.mesh.positions.size() >= source_.limits.max_vertices)
         source_.refuse("it has more than ", source_.limits.max_vertices, " vertices");
     file.mesh.positions.push_back(p);
+    if (exact != nullptr)
+        exact->emplace_back(x, y, z);
 }
 
 void Builder::add_polygon(std::span<const std::uint32_t> polygon) {

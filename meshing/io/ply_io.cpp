@@ -126,7 +126,10 @@ private:
 
 class PlyReader {
 public:
-    explicit PlyReader(const Source& source) : source_(source), builder_(source) {}
+    explicit PlyReader(const Source& source, std::vector<glm::dvec3>* exact = nullptr)
+        : source_(source), builder_(source) {
+        builder_.exact = exact;
+    }
 
     MeshFile read() {
         const std::string_view bytes = read_header();
@@ -362,6 +365,12 @@ void put_binary(std::string& out, const MeshFile& file) {
 
 MeshFile decode_ply(const Source& source) {
     return PlyReader(source).read();
+}
+
+PointCloud decode_ply_points(const Source& source) {
+    PointCloud cloud;
+    PlyReader(source, &cloud.points).read();
+    return cloud;
 }
 
 std::string encode_ply(const MeshFile& file, bool text) {

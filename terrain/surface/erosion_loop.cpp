@@ -4,6 +4,7 @@
 #include "base/stopwatch.h"
 #include "meshing/mesh/small_faces.h"
 #include "meshing/space/self_intersection.h"
+#include "terrain/surface/cosmetic_noise.h"
 #include "terrain/surface/weathering_step.h"
 
 #include <algorithm>
@@ -15,7 +16,8 @@ namespace {
 
 using meshing::Adjacency;
 
-constexpr double kSmallFace = 0.1;   // shortest edge, in mean edges (`mesh-erosion.md` 5)
+constexpr double kSmallFace = 0.1;  // shortest edge, in mean edges (`mesh-erosion.md` 5)
+constexpr std::uint64_t kNoiseSeed = 1;
 constexpr double kDoseSlack = 1e-9;  // of a step: sums of 1/x are rounded
 
 void check_options(const ErosionLoopOptions& loop) {
@@ -66,6 +68,8 @@ private:
         if (run_.step_limit == 0.0) {
             run_.step_limit =
                 loop_.scheme == ErosionScheme::Wear ? wet.step_limit : sediment.step_limit;
+            if (loop_.cosmetic_noise > 0.0)
+                roughen(run_.mesh, adjacency_, loop_.cosmetic_noise, kNoiseSeed);
             run_.report.volume_before = meshing::signed_volume(run_.mesh);
             if (looks())
                 run_.report.intersections_before = crossings();
@@ -133,7 +137,11 @@ private:
         times.curvature += did.curvature_seconds;
         times.laplacian += did.laplacian_seconds;
         times.displacement += did.displacement_seconds;
-        n_affected_ = did.n_affected;
+        run_.report.last = {.mean_edge = did.mean_edge,
+                            .least_curvature = did.least_curvature,
+                            .greatest_curvature = did.greatest_curvature,
+                            .farthest = did.greatest_move,
+                            .n_affected = did.n_affected};
     }
 
     void settle(const SedimentOptions& sediment) {
@@ -141,7 +149,7 @@ private:
         const SedimentReport did = exchange_sediment(run_.mesh, adjacency_, fluid_.state(),
                                                      loop_.frame_seconds, sediment, run_.sediment);
         run_.report.times.displacement += watch.lap();
-        n_affected_ = did.n_moved;
+        run_.report.last = {.n_affected = did.n_moved};
     }
 
     void keep_up(meshing::RimPolicy rim) {
@@ -170,9 +178,11 @@ private:
         std::size_t touching = 0;
         for (const FluidContact& contact : fluid_.state().contacts)
             touching += contact.touching() ? 1 : 0;
-        fold(report.mean_particles, fluid_.state().size());
-        fold(report.mean_touching, touching);
-        fold(report.mean_affected, n_affected_);
+        report.last.n_particles = fluid_.state().size();
+        report.last.n_touching = touching;
+        fold(report.mean_particles, report.last.n_particles);
+        fold(report.mean_touching, report.last.n_touching);
+        fold(report.mean_affected, report.last.n_affected);
     }
 
     // Keeps a sound state, or goes back to the last one; false ends the run there.
@@ -223,7 +233,6 @@ private:
     WetErosionScratch scratch_;
     StepScratch weathering_scratch_;
     std::optional<ErosionRun> clean_;
-    std::size_t n_affected_ = 0;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "base/progress.h"
 #include "terrain/fluid/fluid.h"
+#include "terrain/surface/erosion_report.h"
 #include "terrain/surface/sediment.h"
 #include "terrain/surface/wet_erosion.h"
 
@@ -30,7 +31,8 @@ struct ErosionLoopOptions {
     int max_restarts = 6;      ///< Tangles after which a run stops.
     bool keep_dose = true;     ///< After a tangle take more steps, so that as much is worn.
     bool small_faces = false;  ///< Collapse edges below a tenth of the mean after every step.
-    double weathering = 0.0;   ///< Share of a step of weathering that follows each step of water.
+    double cosmetic_noise = 0.0;  ///< Of the mesh at the start, to either side, mean edges.
+    double weathering = 0.0;  ///< Share of a step of weathering that follows each step of water.
 };
 
 template <class Visitor>
@@ -49,37 +51,11 @@ void describe(ErosionLoopOptions& o, Visitor&& field) {
           {.min = 0, .max = 30, .help = "tangles after which a run stops"});
     field("keep-dose", o.keep_dose, {.help = "after a tangle take more, shorter steps"});
     field("small-faces", o.small_faces, {.help = "collapse small faces after every step"});
+    field("cosmetic-noise", o.cosmetic_noise,
+          {.min = 0, .max = 0.5, .help = "roughness of the mesh at the start, mean edges"});
     field("weathering", o.weathering,
           {.min = 0, .max = 1, .help = "share of a weathering step after each step of water"});
 }
-
-/// Seconds of all steps together: the source's five columns, and what it left out.
-struct ErosionTimes {
-    double iteration = 0.0;  ///< All that follows, and the fluid.
-    double affected = 0.0;
-    double curvature = 0.0;
-    double laplacian = 0.0;
-    double displacement = 0.0;
-    double fluid = 0.0;   ///< Frames, and taking the moved mesh.
-    double upkeep = 0.0;  ///< Weathering, small faces, looks for self-intersections.
-};
-
-/// What a run did.
-struct ErosionReport {
-    int steps = 0;                         ///< Done and kept.
-    int restarts = 0;                      ///< Times that a tangle was rolled back.
-    double step_limit = 0.0;               ///< At the end.
-    bool finished = false;                 ///< Not stopped by tangles.
-    std::size_t intersections_before = 0;  ///< Pairs of triangles that cross.
-    std::size_t intersections = 0;         ///< At the end.
-    double volume_before = 0.0;  ///< By signed_volume(), cubic metres; of an open mesh a measure.
-    double volume = 0.0;
-    double mean_particles = 0.0;
-    double mean_touching = 0.0;
-    double mean_affected = 0.0;   ///< Vertices a step.
-    std::size_t n_collapsed = 0;  ///< Edges, by small-face removal.
-    ErosionTimes times;
-};
 
 /// A run that can be stopped and taken up again: everything that the next step depends on.
 struct ErosionRun {

@@ -25,6 +25,17 @@ constexpr std::span<const std::string_view> names_of(FluidKind) {
     return kFluidKindNames;
 }
 
+/// What steps.csv says of every step.
+enum class StepCsv {
+    None,     ///< There is no such file.
+    Figures,  ///< The same bytes on every run.
+    Times,    ///< Milliseconds besides.
+};
+inline constexpr std::string_view kStepCsvNames[] = {"none", "figures", "times"};
+constexpr std::span<const std::string_view> names_of(StepCsv) {
+    return kStepCsvNames;
+}
+
 /// What a run of a scene writes.
 struct ErosionOutput {
     int mesh_every = 0;        ///< Steps between two meshes of the sequence; 0 writes none.
@@ -32,9 +43,10 @@ struct ErosionOutput {
     int checkpoint_every = 0;  ///< Steps between two checkpoints; 0 writes none.
     bool morph = true;         ///< A GLB that goes from the first shape to the last.
     bool pictures = true;      ///< Before and after.
-    int width = 900;           ///< Of a picture, px.
-    double azimuth = 35.0;     ///< Of the eye, deg.
-    double elevation = 35.0;   ///< Of the eye, deg.
+    StepCsv csv = StepCsv::Figures;
+    int width = 900;          ///< Of a picture, px.
+    double azimuth = 35.0;    ///< Of the eye, deg.
+    double elevation = 35.0;  ///< Of the eye, deg.
 };
 
 template <class Visitor>
@@ -47,6 +59,7 @@ void describe(ErosionOutput& o, Visitor&& field) {
           {.min = 0, .max = 1e6, .help = "steps between two checkpoints; 0 writes none"});
     field("morph", o.morph, {.help = "a GLB that goes from the first shape to the last"});
     field("pictures", o.pictures, {.help = "pictures before and after"});
+    field("csv", o.csv, {.help = "what steps.csv says of every step"});
     field("width", o.width, {.min = 16, .max = 4096, .unit = "px", .help = "of a picture"});
     field("azimuth", o.azimuth, {.min = -360, .max = 360, .unit = "deg", .help = "of the eye"});
     field("elevation", o.elevation, {.min = 10, .max = 89, .unit = "deg", .help = "of the eye"});

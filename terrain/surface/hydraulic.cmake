@@ -1,12 +1,15 @@
 scree_add_sources(terrain
   HEADERS
+    cosmetic_noise.h
     erosion_checkpoint.h
     erosion_ground.h
     erosion_loop.h
+    erosion_report.h
     erosion_scene.h
     sediment.h
     wet_erosion.h
   SOURCES
+    cosmetic_noise.cpp
     erosion_checkpoint.cpp
     erosion_ground.cpp
     erosion_loop.cpp

@@ -1,9 +1,11 @@
 #!/usr/bin/python3
 """Plots time against size from Google Benchmark files, both axes logarithmic.
 
-    plot_costs.py OUT.png FILE.json NAME [NAME...]
+    plot_costs.py [--cpu] OUT.png FILE.json NAME [NAME...]
 
-takes the runs called NAME/SIZE (medians where there are some) and draws a line for each NAME.
+takes the runs called NAME/SIZE (medians where there are some) and draws a line for each NAME. With
+--cpu it takes the main thread's processor time, which other programs disturb less: for benchmarks that
+run on one thread (`taskset -c 0`).
 Needs Debian's python3-numpy and python3-opencv."""
 import json
 import math
@@ -16,7 +18,7 @@ WIDTH, HEIGHT, LEFT, BOTTOM = 900, 560, 90, 60
 COLOURS = [(160, 60, 20), (20, 90, 200), (40, 140, 40), (140, 40, 140)]
 
 
-def series(path, name):
+def series(path, name, clock):
     points = {}
     with open(path) as file:
         runs = json.load(file)["benchmarks"]
@@ -25,12 +27,12 @@ def series(path, name):
         if "/".join(parts[:-1]) != name or run.get("aggregate_name", "median") != "median":
             continue
         scale = {"ns": 1e-6, "us": 1e-3, "ms": 1.0, "s": 1e3}[run["time_unit"]]
-        points[int(parts[-1])] = run["real_time"] * scale
+        points[int(parts[-1])] = run[clock] * scale
     return sorted(points.items())
 
 
-def main(out, path, names):
-    lines = [(name, series(path, name)) for name in names]
+def main(out, path, names, clock):
+    lines = [(name, series(path, name, clock)) for name in names]
     sizes = [size for _, points in lines for size, _ in points]
     times = [time for _, points in lines for _, time in points]
     if not sizes:
@@ -39,7 +41,7 @@ def main(out, path, names):
     low_y, high_y = math.floor(math.log10(min(times))), math.ceil(math.log10(max(times)))
 
     def place(size, time):
-        x = LEFT + (math.log2(size) - low_x) / (high_x - low_x) * (WIDTH - LEFT - 30)
+        x = LEFT + (math.log2(size) - low_x) / (high_x - low_x) * (WIDTH - LEFT - 50)
         y = HEIGHT - BOTTOM - (math.log10(time) - low_y) / (high_y - low_y) * (HEIGHT - BOTTOM - 30)
         return round(x), round(y)
 
@@ -54,7 +56,7 @@ def main(out, path, names):
     for k in range(low_x, high_x + 1):
         a, b = place(2**k, 10**low_y), place(2**k, 10**high_y)
         cv2.line(image, a, b, (225, 225, 225))
-        write(f"{2**k}", a[0] - 20, HEIGHT - BOTTOM + 24)
+        write(f"{2**k}", a[0] - 4 * len(str(2**k)), HEIGHT - BOTTOM + 24)
     write("size", WIDTH // 2, HEIGHT - 10)
     for index, (name, points) in enumerate(lines):
         colour = COLOURS[index % len(COLOURS)]
@@ -68,6 +70,7 @@ def main(out, path, names):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 4:
+    words = [word for word in sys.argv[1:] if word != "--cpu"]
+    if len(words) < 3:
         sys.exit(__doc__)
-    main(sys.argv[1], sys.argv[2], sys.argv[3:])
+    main(words[0], words[1], words[2:], "cpu_time" if "--cpu" in sys.argv else "real_time")

@@ -117,12 +117,15 @@ TEST_F(Erode, AKilledRunResumesToTheSameResult) {
     if (killed.status == 0)
         GTEST_SKIP() << "this machine is too fast to be interrupted";
     EXPECT_EQ(killed.status, 130);
-    for (const auto& [name, bytes] : files_below(at("part")))
-        EXPECT_EQ(name, "checkpoint.bin");  // nothing half-written
+    for (const auto& [name, bytes] : files_below(at("part")))  // nothing half-written
+        EXPECT_TRUE(name == "checkpoint.bin" || name == "steps.csv") << name;
     ASSERT_EQ(erode("s.json", "part", {"--resume", "--quiet"}).status, 0);
     ASSERT_EQ(erode("s.json", "whole", {"--quiet"}).status, 0);
     EXPECT_TRUE(read_whole_file(at("part") / "ground.glb", 1 << 26) ==
                 read_whole_file(at("whole") / "ground.glb", 1 << 26));
+    const std::string steps = read_whole_file(at("whole") / "steps.csv", 1 << 26);
+    EXPECT_TRUE(read_whole_file(at("part") / "steps.csv", 1 << 26) == steps);
+    EXPECT_EQ(std::count(steps.begin(), steps.end(), '\n'), 201);
 }
 
 TEST_F(Erode, RefusesBadScenesAndSaysWhere) {

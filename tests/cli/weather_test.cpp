@@ -6,6 +6,9 @@
 #include "tests/support/temp_dir.h"
 #include "vision/image_io.h"
 
+#include <algorithm>
+#include <sstream>
+
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -55,6 +58,37 @@ TEST_F(Weather, GivesTheSameBytesForAnyThreadCount) {
     EXPECT_EQ(bytes_of("worn1.off"), bytes_of("worn2.off"));
 }
 
+TEST_F(Weather, WritesARowForEveryStep) {
+    const auto rows_of = [&](const char* name, std::vector<std::string> more) {
+        std::vector<std::string> words = {"weather", at("cube.obj"), "-o",     at("worn.off"),
+                                          "--csv",   at(name),       "--quiet"};
+        words.insert(words.end(), more.begin(), more.end());
+        const ProgramRun run = test::scree(words);
+        EXPECT_EQ(run.status, 0) << run.errors;
+        std::vector<std::string> rows;
+        std::istringstream text(bytes_of(name));
+        for (std::string row; std::getline(text, row);)
+            rows.push_back(row);
+        return rows;
+    };
+    const auto rows = rows_of("steps.csv", {"--steps", "12", "--threads", "1"});
+    ASSERT_EQ(rows.size(), 13U);
+    EXPECT_THAT(rows[0], HasSubstr("step,step_limit,restarts,mean_edge_m"));
+    const auto n_commas = std::count(rows[0].begin(), rows[0].end(), ',');
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        EXPECT_TRUE(rows[i].starts_with(std::to_string(i) + ",10,0,")) << rows[i];
+        EXPECT_EQ(std::count(rows[i].begin(), rows[i].end(), ','), n_commas);
+    }
+    const auto timed = rows_of("timed.csv", {"--steps", "2", "--csv-times"});
+    EXPECT_THAT(timed[0], HasSubstr(",step_ms,small_faces_ms,test_ms"));
+    // Long steps are taken back; the rows of those go with them.
+    const auto shorter = rows_of("short.csv", {"--steps", "6", "--step-limit", "0.3",
+                                               "--check-every", "1", "--small-faces", "0"});
+    for (std::size_t i = 1; i < shorter.size(); ++i)
+        EXPECT_TRUE(shorter[i].starts_with(std::to_string(i) + ",")) << shorter[i];
+    EXPECT_GT(shorter.size(), 7U);
+}
+
 TEST_F(Weather, RefusesACheckpointOfAnotherRun) {
     write_whole_file(at("run.state"), std::string_view("something"));
     const ProgramRun run = test::scree(
@@ -92,6 +126,9 @@ TEST_F(Weather, NamesWhatIsWrong) {
                 HasSubstr("its name must end in .obj, .ply, .off, .stl or .glb"));
     EXPECT_THAT(test::scree({"weather", at("cube.obj"), "-o", at("cube.obj")}).errors,
                 HasSubstr("is the mesh itself"));
+    EXPECT_THAT(
+        test::scree({"weather", at("cube.obj"), "-o", at("x.obj"), "--csv", at("cube.obj")}).errors,
+        HasSubstr("would take the place of a mesh"));
     EXPECT_THAT(
         test::scree({"weather", at("cube.obj"), "-o", at("x.obj"), "--power", "0.5"}).errors,
         HasSubstr("power is 0.5, must be in [1, 100]"));

@@ -3,6 +3,7 @@
 #include "meshing/io/mesh_io.h"
 #include "terrain/material/id_text.h"
 #include "terrain/material/materials_json.h"
+#include "tests/support/las_file.h"
 #include "tests/support/tiny_network.h"
 #include "vision/data/rockdata_text.h"
 #include "vision/data/rocks_json.h"
@@ -201,6 +202,14 @@ void mesh_seeds(const fs::path& folder) {
                                       "f 1/1/1 2/2/1 -1/-1\n"));
 }
 
+void las_seeds(const fs::path& folder) {
+    fs::create_directories(folder);
+    for (const int format : {0, 1, 6, 8})
+        write_whole_file(
+            folder / std::to_string(format),
+            std::string_view(test::las_file({{1, 2, 3}, {4, 5, 6.5}}, {2, 5}, {.format = format})));
+}
+
 }  // namespace
 
 int main(int n_words, char** words) {
@@ -212,6 +221,7 @@ int main(int n_words, char** words) {
     model_seeds(folder / "model");
     glb_seeds(folder / "glb");
     mesh_seeds(folder);
+    las_seeds(folder / "las");
     ground_seeds(folder);
     scene_seeds(folder / "scene");
     erosion_seeds(folder / "erosion_scene");

@@ -37,6 +37,35 @@ TEST(Weathering, MakesASphereOfACube) {
     EXPECT_EQ(meshing::solid_defect(mesh), "");
 }
 
+// Worst and mean quality of triangles: 1 if equilateral, 0 without area.
+std::pair<double, double> quality_of(const TriMesh& mesh) {
+    double worst = 1.0, sum = 0.0;
+    for (const glm::uvec3& t : mesh.triangles) {
+        const glm::dvec3 a(mesh.positions[t.x]), b(mesh.positions[t.y]), c(mesh.positions[t.z]);
+        const double squares =
+            glm::dot(b - a, b - a) + glm::dot(c - b, c - b) + glm::dot(a - c, a - c);
+        const double q = 2.0 * std::sqrt(3.0) * glm::length(glm::cross(b - a, c - a)) / squares;
+        worst = std::min(worst, q);
+        sum += q;
+    }
+    return {worst, sum / static_cast<double>(mesh.triangles.size())};
+}
+
+// `mesh-erosion.md` 3: the source's comparison of directions, after 100 steps.
+TEST(Weathering, UmbrellaVectorsKeepTrianglesBetterThanNormals) {
+    std::pair<double, double> quality[2];
+    for (const auto direction :
+         {terrain::WearDirection::Umbrella, terrain::WearDirection::Normal}) {
+        TriMesh mesh = test::cube(20);
+        weather(mesh, {.steps = 100, .direction = direction, .small_faces = 0, .check_every = 0});
+        quality[static_cast<std::size_t>(direction)] = quality_of(mesh);
+    }
+    EXPECT_NEAR(quality[0].first, 0.716, 0.03);
+    EXPECT_NEAR(quality[0].second, 0.861, 0.02);
+    EXPECT_NEAR(quality[1].first, 0.398, 0.05);
+    EXPECT_NEAR(quality[1].second, 0.773, 0.02);
+}
+
 TEST(Weathering, StopsShortOfASphereWhenReadLiterally) {
     TriMesh mesh = test::cube(12);
     weather(mesh, {.steps = 100, .reading = Reading::Literal});
