@@ -5,6 +5,7 @@
 #include "terrain/gpu/gl_objects.h"
 #include "terrain/gpu/shader_program.h"
 #include "terrain/grid/sound_step.h"
+#include "terrain/grid/whole_quanta.h"
 
 #include <algorithm>
 #include <array>
@@ -296,6 +297,19 @@ DeformerReport GpuDeformer::settle(int max_frames, double tolerance_m) {
             break;
     }
     return report;
+}
+
+void GpuDeformer::replace_displacement(const FloatRaster& displacement) {
+    State& s = *state_;
+    check_displacement(displacement, s.width, s.height);
+    FloatRaster rounded = displacement;
+    if (s.options.reading == Reading::Sound)
+        round_to_quanta(rounded, s.rule.quantum);
+    s.context.make_current();
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTextureSubImage2D(s.moved[static_cast<std::size_t>(s.now)].id(), 0, 0, 0, s.width, s.height,
+                        GL_RED, GL_FLOAT, rounded.data());
+    check_gl("writing displacements");
 }
 
 FloatRaster GpuDeformer::displacement(const CellWindow& window) const {

@@ -37,6 +37,9 @@ public:
     /// As Deformer::settle().
     DeformerReport settle(int max_frames, double tolerance_m = 1e-6);
 
+    /// As Deformer::replace_displacement().
+    void replace_displacement(const FloatRaster& displacement);
+
     FloatRaster displacement(const CellWindow& window) const;
     FloatRaster heights(const CellWindow& window) const;
     CellWindow extent() const;

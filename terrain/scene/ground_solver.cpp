@@ -11,6 +11,9 @@ public:
         : deformer_(base, soil, options) {}
 
     DeformerReport step(std::span<const Load> loads) override { return deformer_.step(loads); }
+    void replace_displacement(const FloatRaster& displacement) override {
+        deformer_.replace_displacement(displacement);
+    }
     FloatRaster displacement(const CellWindow& window) const override {
         return deformer_.displacement(window);
     }
@@ -31,6 +34,9 @@ public:
         : context_(std::move(context)), deformer_(*context_, base, soil, options) {}
 
     DeformerReport step(std::span<const Load> loads) override { return deformer_.step(loads); }
+    void replace_displacement(const FloatRaster& displacement) override {
+        deformer_.replace_displacement(displacement);
+    }
     FloatRaster displacement(const CellWindow& window) const override {
         return deformer_.displacement(window);
     }

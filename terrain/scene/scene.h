@@ -107,7 +107,8 @@ struct Scene {
     ContactOptions contact{.yield = 1.0};
     int frames = 100;
     double frame_rate = 25.0;
-    int substeps = 0;  ///< Solver steps in a frame; 0: as many as the fastest object needs.
+    int substeps = 0;     ///< Solver steps in a frame; 0: as many as the fastest object needs.
+    bool settle = false;  ///< Bring the ground to rest when the last frame is over.
     std::uint64_t seed = 1;
     SceneCamera camera;
     SceneOutputs outputs;

@@ -79,6 +79,19 @@ TEST_F(GpuDeformers, KeepVolumeAndComeToRest) {
     EXPECT_NEAR(gpu.displaced_volume(), 0.0, 1e-6);
 }
 
+TEST_F(GpuDeformers, GoOnFromReplacedDisplacements) {
+    const Heightfield base = scree::test::flat_ground(48, 40);
+    const FloatRaster pile = scree::test::rough_ground(48, 40, 3.0, 9).heights;
+    Deformer cpu(base, SoilField(kSand));
+    GpuDeformer gpu(context(), base, SoilField(kSand));
+    cpu.replace_displacement(pile);
+    gpu.replace_displacement(pile);
+    cpu.step({});
+    gpu.step({});
+    EXPECT_TRUE(cpu.displacement(cpu.extent()) == gpu.displacement(gpu.extent()));
+    EXPECT_THROW(gpu.replace_displacement(FloatRaster(4, 4)), InvalidInput);
+}
+
 TEST_F(GpuDeformers, RefuseTheLiteralReadingAndStepsBeyondTheBound) {
     const Heightfield base = scree::test::flat_ground(8, 8);
     EXPECT_THAT(
