@@ -81,15 +81,13 @@ float part_length(vec3 place) {
 }
 
 float detail_height(vec2 at, float part_length) {
-    Blend blend = corner_blend(at);
+    ScreeBlend blend = scree_blend(torn(at));
     float height = 0.0;
-    for (int i = 0; i < 4; ++i) {
-        if (blend.weight[i] <= 0.0)
+    for (int i = 0; i < SCREE_SHARES; ++i) {
+        if (blend.weights[i] <= 0.0)
             continue;
-        Look look = looks[blend.layer[i]];
-        float lod = log2(max(1.0, part_length * look.measure.x * detail_texels));
-        float sampled = textureLod(detail, vec3(at * look.measure.x, float(blend.layer[i])), lod).b;
-        height += blend.weight[i] * look.measure.y * (sampled - 0.5);
+        float lod = log2(max(1.0, part_length * detail_texels / SCREE_SIZE[blend.slots[i]]));
+        height += blend.weights[i] * scree_displacement_of(blend.slots[i], at, lod);
     }
     return height;
 }
@@ -122,10 +120,10 @@ std::string ground_control_glsl() {
     return kVersion + std::string(tessellation_glsl()) + kControl;
 }
 
-std::string ground_evaluation_glsl() {
+std::string ground_evaluation_glsl(const GroundShaders& made) {
     return kVersion + std::string(ranges_glsl()) + std::string(tessellation_glsl()) +
-           std::string(noise_glsl()) + std::string(heights_glsl()) + std::string(looks_glsl()) +
-           kEvaluation;
+           std::string(noise_glsl()) + std::string(heights_glsl()) + made.evaluation_functions +
+           std::string(looks_glsl()) + kEvaluation;
 }
 
 }  // namespace scree::terrain

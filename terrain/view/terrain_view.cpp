@@ -98,26 +98,32 @@ struct TerrainView::State {
 };
 
 void TerrainView::State::load_programs() {
-    depth_program = ShaderProgram("the ground's depth",
-                                  {{ShaderStage::Vertex, ground_vertex_glsl()},
-                                   {ShaderStage::TessControl, ground_control_glsl()},
-                                   {ShaderStage::TessEvaluation, ground_evaluation_glsl()},
-                                   {ShaderStage::Fragment, shadow_fragment_glsl()}});
-    line_program =
-        ShaderProgram("the wires", {{ShaderStage::Vertex, ground_vertex_glsl()},
-                                    {ShaderStage::TessControl, ground_control_glsl()},
-                                    {ShaderStage::TessEvaluation, ground_evaluation_glsl()},
-                                    {ShaderStage::Fragment, line_fragment_glsl()}});
-    ground_program = ShaderProgram("the ground", {{ShaderStage::Vertex, screen_vertex_glsl()},
-                                                  {ShaderStage::Fragment, ground_fragment_glsl()}});
-    wall_program = ShaderProgram("the walls", {{ShaderStage::Vertex, wall_vertex_glsl()},
-                                               {ShaderStage::Fragment, wall_fragment_glsl()}});
+    depth_program =
+        ShaderProgram("the ground's depth",
+                      {{ShaderStage::Vertex, ground_vertex_glsl()},
+                       {ShaderStage::TessControl, ground_control_glsl()},
+                       {ShaderStage::TessEvaluation, ground_evaluation_glsl(ground.shaders())},
+                       {ShaderStage::Fragment, shadow_fragment_glsl()}});
+    line_program = ShaderProgram(
+        "the wires", {{ShaderStage::Vertex, ground_vertex_glsl()},
+                      {ShaderStage::TessControl, ground_control_glsl()},
+                      {ShaderStage::TessEvaluation, ground_evaluation_glsl(ground.shaders())},
+                      {ShaderStage::Fragment, line_fragment_glsl()}});
+    ground_program = ShaderProgram(
+        "the ground", {{ShaderStage::Vertex, screen_vertex_glsl()},
+                       {ShaderStage::Fragment, ground_fragment_glsl(ground.shaders())}});
+    wall_program =
+        ShaderProgram("the walls", {{ShaderStage::Vertex, wall_vertex_glsl()},
+                                    {ShaderStage::Fragment, wall_fragment_glsl(ground.shaders())}});
     object_program =
         ShaderProgram("the objects", {{ShaderStage::Vertex, object_vertex_glsl()},
                                       {ShaderStage::Fragment, object_fragment_glsl()}});
     shadow_program =
         ShaderProgram("the shadows", {{ShaderStage::Vertex, shadow_vertex_glsl()},
                                       {ShaderStage::Fragment, shadow_fragment_glsl()}});
+    for (const ShaderProgram* program :
+         {&depth_program, &line_program, &ground_program, &wall_program})
+        GroundTextures::set_samplers(*program);
 }
 
 TessellationRule TerrainView::State::rule(const TerrainFrame& frame) const {

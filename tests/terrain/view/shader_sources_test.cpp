@@ -21,14 +21,21 @@ struct Source {
 };
 
 std::vector<Source> all_sources() {
+    std::vector<Material> materials(3);
+    for (int id = 0; id < 3; ++id) {
+        materials[static_cast<std::size_t>(id)].id = 2 * id;
+        materials[static_cast<std::size_t>(id)].name = "m" + std::to_string(id);
+    }
+    materials[1].textures.albedo = materials[2].textures.displacement = "p.png";
+    const GroundShaders made = ground_shaders(materials, 0.1, {.binding = TextureBinding::Layers});
     return {{"ground.vert", ground_vertex_glsl()},
             {"ground.tesc", ground_control_glsl()},
-            {"ground.tese", ground_evaluation_glsl()},
-            {"ground.frag", ground_fragment_glsl()},
+            {"ground.tese", ground_evaluation_glsl(made)},
+            {"ground.frag", ground_fragment_glsl(made)},
             {"surface.comp", surface_compute_glsl()},
             {"sun.comp", sun_compute_glsl()},
             {"wall.vert", wall_vertex_glsl()},
-            {"wall.frag", wall_fragment_glsl()},
+            {"wall.frag", wall_fragment_glsl(made)},
             {"object.vert", object_vertex_glsl()},
             {"object.frag", object_fragment_glsl()},
             {"shadow.vert", shadow_vertex_glsl()},

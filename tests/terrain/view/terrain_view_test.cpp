@@ -88,6 +88,27 @@ TEST_F(TerrainViews, GiveTheSamePictureTwiceAndInAnotherView) {
     EXPECT_EQ(first, other.draw(shown));
 }
 
+// The view has no blend of its own: hats that let nothing fade cut its borders as they cut those of
+// the shaders that are written for a map.
+TEST_F(TerrainViews, BlendAsTheHatsOfTheMapSay) {
+    map_ = test::three_strips(4.0, 16);  // few cells, so that borders are wide
+    TerrainFrame above = frame();
+    above.camera = camera_over(base_, 0.0, 90.0, 1.6);
+    const auto shades = [&] {
+        TerrainView view(context(), ground(16),
+                         {.width = 96, .height = 60, .supersampling = 1, .shadow_size = 64});
+        return view.draw(above, ViewMode::Material);
+    };
+    const Photo faded = shades();
+    for (Material& material : map_.materials) {
+        const double peak = material.id / 255.0;
+        material.hat = {peak, peak, peak};
+    }
+    const Photo cut = shades();
+    EXPECT_GT(share_of_difference(faded, cut, 10), 0.02);
+    EXPECT_LT(share_of_difference(faded, cut, 10), 0.4);  // beside the borders alone
+}
+
 TEST_F(TerrainViews, UpdatesByWindowsEqualOneOfTheWhole) {
     TerrainView whole(context(), ground(), kSmall);
     TerrainFrame shown = frame();
