@@ -1,7 +1,9 @@
 #include "base/whole_file.h"
+#include "terrain/material/map_files.h"
 #include "tests/cli/scree.h"
 #include "tests/support/golden.h"
 #include "tests/support/temp_dir.h"
+#include "vision/image_io.h"
 
 #include <cmath>
 #include <string>
@@ -25,11 +27,14 @@ json at_half_size(const std::string& name) {
     ground["width"] = ground["width"].get<int>() / 2;
     ground["height"] = ground["height"].get<int>() / 2;
     ground["cell_size_m"] = 2.0 * ground["cell_size_m"].get<double>();
-    for (json& material : scene["materials"])
-        for (const char* texture : {"albedo", "displacement", "normal"})
-            if (json& textures = material["textures"]; textures.contains(texture))
-                textures[texture] = (kScenes / textures[texture].get<std::string>()).string();
-    scene["outputs"] = {{"every", 100'000},    {"picture_width", 240}, {"picture_height", 150},
+    if (scene.contains("map"))
+        scene["map"] = (kScenes / scene["map"].get<std::string>()).string();
+    else
+        for (json& material : scene["materials"])
+            for (const char* texture : {"albedo", "displacement"})
+                if (json& textures = material["textures"]; textures.contains(texture))
+                    textures[texture] = (kScenes / textures[texture].get<std::string>()).string();
+    scene["outputs"] = {{"every", 100'000},    {"picture_width", 224}, {"picture_height", 140},
                         {"preview_width", 32}, {"mesh_side", 32},      {"texture_side", 64}};
     scene["settle"] = true;
     return scene;
@@ -83,6 +88,39 @@ TEST_P(Scenes, LookLikeTheKeptPicturesRestAtTheirReposeAndKeepTheirVolume) {
     EXPECT_TRUE(test::matches_golden(dir_ / last_frame_,
                                      "scene_" + std::string(GetParam()) + ".png",
                                      {.fail = 0.05, .fail_percent = 0.5, .hard_fail = 0.6}));
+}
+
+// What shipped of the photograph: a tile that repeats, stones where the map says so.
+TEST(SceneTextures, PebblesRepeatWithoutASeamAndStandWhereTheMapHasThem) {
+    const FloatRaster heights = vision::read_heights(kScenes / "textures/gravel_height.png").metres;
+    const int n = heights.width();
+    ASSERT_EQ(n, heights.height());
+    // Steps over the border of the tile against those within it.
+    double across = 0.0;
+    double inside = 0.0;
+    for (int i = 0; i < n; ++i) {
+        const auto step = [&](int k, int next) {
+            return std::abs(double{heights(k, i)} - heights(next, i)) +
+                   std::abs(double{heights(i, k)} - heights(i, next));
+        };
+        across += step(n - 1, 0);
+        for (int k = 0; k + 1 < n; ++k)
+            inside += step(k, k + 1) / (n - 1);
+    }
+    EXPECT_LT(across, 1.3 * inside);
+    const auto map = terrain::read_description_map(kScenes / "pebbles");
+    double sum[2] = {};
+    int cells[2] = {};
+    for (int y = 0; y < map.ids.height(); ++y)
+        for (int x = 0; x < map.ids.width(); ++x) {
+            const double texels = map.cell_size / map.materials[0].textures.size_m * n;
+            const int u = static_cast<int>((x + 0.5) * texels) % n;
+            const int v = static_cast<int>((y + 0.5) * texels) % n;
+            sum[map.ids(x, y)] += heights(u, v);
+            ++cells[map.ids(x, y)];
+        }
+    EXPECT_GT(sum[1] / cells[1], 1.5 * sum[0] / cells[0]);
+    EXPECT_NEAR(cells[1] / (cells[0] + 1.0 * cells[1]), 0.67, 0.05);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, Scenes,
