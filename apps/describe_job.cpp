@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/whole_file.h"
 #include "terrain/material/description_picture.h"
+#include "terrain/material/layers_json.h"
 #include "terrain/material/map_check.h"
 #include "terrain/material/map_files.h"
 #include "terrain/material/map_rules.h"
@@ -24,8 +25,9 @@ constexpr double kSurfaceDepth = 1.0;  // metres; of the one layer that mixes
 
 // Everything that any run writes; what a run has no version of is taken away.
 constexpr const char* kAllFiles[] = {
-    "params.exr",         "map_rgba.png",         "map_ids.txt",          "ground_albedo.png",
-    "ground_normal.png",  "ground_height.exr",    terrain::kFragmentFile, terrain::kEvaluationFile,
+    "params.exr",         "layers.exr",           "map_rgba.png",
+    "map_ids.txt",        "ground_albedo.png",    "ground_normal.png",
+    "ground_height.exr",  terrain::kFragmentFile, terrain::kEvaluationFile,
     "channel_repose.png", "channel_mobility.png", "channel_diffusion.png"};
 
 /// Collects the files of a run.
@@ -137,13 +139,33 @@ void paint_over(const DescribeJob& job, DescriptionMap& map, Progress* progress)
     terrain::paint(map, script.strokes, progress);
 }
 
-void mix(const DescribeJob& job, DescriptionMap& map) {
-    if (job.mix.steps == 0)
+// Channels such as 0.sand: metres of a material in a layer, the uppermost first.
+void write_layers(const terrain::MaterialLayers& layers, Output& out) {
+    std::vector<vision::NamedPlane> planes;
+    for (std::size_t n = 0; n < layers.amounts.size(); ++n)
+        for (std::size_t m = 0; m < layers.materials.size(); ++m) {
+            const Raster<double>& amounts = layers.amounts[n][m];
+            FloatRaster values(amounts.width(), amounts.height());
+            std::transform(amounts.begin(), amounts.end(), values.begin(),
+                           [](double amount) { return static_cast<float>(amount); });
+            planes.push_back(
+                {std::to_string(n) + "." + layers.materials[m].name, std::move(values)});
+        }
+    vision::write_planes_exr(out.stage("layers.exr"), planes);
+}
+
+void mix(const DescribeJob& job, DescribeReport& report, Output& out) {
+    if (job.mix.steps == 0 && job.layers.empty())
         return;
-    const double depth[] = {kSurfaceDepth};
-    terrain::MaterialLayers layers = terrain::layers_of_map(map, depth);
-    terrain::mix_layers(layers, job.mix);
-    map = terrain::surface_map(layers, kSurfaceDepth);
+    terrain::LayerStack stack{{{kSurfaceDepth, {}, {}}}, kSurfaceDepth};
+    if (!job.layers.empty())
+        stack = terrain::read_layers(job.layers, report.map.materials);
+    terrain::MaterialLayers layers = terrain::make_layers(report.map, stack);
+    report.mixed = terrain::mix_layers(layers, job.mix);
+    report.n_layers = layers.amounts.size();
+    report.map = terrain::surface_map(layers, stack.surface_depth_m);
+    if (!job.layers.empty())
+        write_layers(layers, out);
 }
 
 void write_published(const DescribeJob& job, DescribeReport& report, Output& out) {
@@ -195,7 +217,7 @@ void write_baked(const DescribeJob& job, const DescriptionMap& map, Output& out,
 std::vector<fs::path> inputs_of(const DescribeJob& job, const DescriptionMap& map) {
     std::vector<fs::path> inputs = {job.map,       job.painted, job.labels,  job.photo,
                                     job.rules,     job.heights, job.picture, job.id_file,
-                                    job.materials, job.strokes};
+                                    job.materials, job.strokes, job.layers};
     if (!job.map.empty() && fs::is_directory(job.map))
         inputs.push_back(job.map / "materials.json");
     if (job.labels.empty())  // else the texture is an output
@@ -238,7 +260,7 @@ DescribeReport run_describe_job(const DescribeJob& job, Progress* progress) {
     Output out{job.folder, {}, {}, {}};
     report.map = map_of(job, report, out, progress);
     paint_over(job, report.map, progress);
-    mix(job, report.map);
+    mix(job, report, out);
     terrain::stage_description_map(report.map, out.folder, out.batch);
     out.files.insert(out.files.end(), {"materials.json", "ids.png"});
     const bool planes =

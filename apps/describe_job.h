@@ -59,6 +59,7 @@ struct DescribeJob {
     std::filesystem::path picture, id_file;  ///< A map in its published form.
     std::filesystem::path materials;         ///< The table for painted pictures, rules and strokes.
     std::filesystem::path strokes;           ///< Laid over what the others give.
+    std::filesystem::path layers;            ///< What lies below the map and mixes with it.
     std::filesystem::path folder;
     DescribeOptions options;
     terrain::PaintOptions paint;
@@ -73,6 +74,8 @@ struct DescribeReport {
     std::vector<std::string> files;  ///< In the folder.
     std::optional<terrain::ConversionReport> imported;
     std::optional<terrain::ConversionReport> exported;
+    std::optional<terrain::MixReport> mixed;
+    std::size_t n_layers = 0;  ///< That mixed.
 };
 
 /// Make the map and write its files, all or none. The mix starts from no steps.

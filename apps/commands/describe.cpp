@@ -41,6 +41,8 @@ void check_sources(const DescribeJob& job) {
         fail<UsageError>("--cell-size-m does not go with ",
                          n_sources == 0 ? "a script's own ground, which says it"
                                         : "--labels; --pixels-per-cell says it there");
+    if (job.layers.empty() && job.mix.downwards > 0.0)
+        fail<UsageError>("--mix-downwards needs --layers, which says what lies below");
     const bool table = !job.rules.empty() || n_sources == 0;
     if (table && job.materials.empty())
         fail<UsageError>("--rules and --strokes need --materials beside them");
@@ -64,6 +66,8 @@ void describe_paths(Arguments& arguments, DescribeJob& job) {
                    job.strokes);
     arguments.path({"materials", 0, "TABLE.json", "materials of pictures, rules, strokes", false},
                    job.materials);
+    arguments.path({"layers", 0, "LAYERS.json", "what lies below the map and mixes with it", false},
+                   job.layers);
 }
 
 }  // namespace
@@ -76,7 +80,7 @@ void run_describe(Arguments& arguments) {
     arguments.options(job.options);
     arguments.options(job.paint);
     arguments.options(job.rock);
-    arguments.options(job.mix, {"mix-steps", "mix-sideways"});
+    arguments.options(job.mix);
     arguments.options(job.shader, {"binding", "literal-hat"});
     arguments.options(common);
     arguments.parse();
