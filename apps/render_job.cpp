@@ -1,11 +1,14 @@
 #include "apps/render_job.h"
 
 #include "base/whole_file.h"
+#include "meshing/gltf/gltf_read.h"
 #include "terrain/material/map_files.h"
 #include "vision/image_io.h"
 
 #include <algorithm>
 #include <utility>
+
+#include <glm/ext/matrix_transform.hpp>
 
 namespace scree::apps {
 namespace {
@@ -50,6 +53,21 @@ FloatRaster read_displacement_of(const RenderJob& job, const Heightfield& ground
     return std::move(image.metres);
 }
 
+// Every mesh that the file's scene shows is a rock; its origin lies in the middle of the ground.
+terrain::GroundRocks read_rocks(const std::filesystem::path& file, const Heightfield& ground) {
+    meshing::LoadedGltf loaded =
+        meshing::read_glb(file, {.max_vertices = 5'000'000, .max_triangles = 10'000'000});
+    terrain::GroundRocks rocks;
+    for (meshing::GltfMesh& mesh : loaded.meshes)
+        rocks.meshes.push_back(std::move(mesh.geometry));
+    const glm::dvec3 middle(0.5 * ground.cell_size * ground.heights.width(), 0.0,
+                            0.5 * ground.cell_size * ground.heights.height());
+    for (const meshing::GltfPlacement& placement : loaded.placements)
+        rocks.places.push_back({placement.mesh, glm::mat4(glm::translate(glm::dmat4(1.0), middle) *
+                                                          placement.world_from_mesh)});
+    return rocks;
+}
+
 terrain::TerrainFrame frame_of(const RenderJob& job, const Heightfield& ground) {
     terrain::TerrainFrame frame;
     frame.camera = terrain::camera_over(ground, job.options.azimuth, job.options.elevation,
@@ -74,6 +92,8 @@ std::string run_render_job(const RenderJob& job) {
         shown.map = &map;
         shown.looks = terrain::load_looks(map);
     }
+    if (!job.rocks.empty())
+        shown.rocks = read_rocks(job.rocks, ground);
     const auto context = terrain::GlContext::make({.software = job.software});
     terrain::TerrainView view(*context, shown, job.view);
     terrain::TerrainFrame frame = frame_of(job, ground);

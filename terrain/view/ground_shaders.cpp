@@ -66,6 +66,7 @@ in vec2 corner_place[];
 
 uniform mat4 clip_from_world;
 uniform vec3 eye;
+uniform float near_m;
 uniform float far_m;
 uniform float lattice_step;
 uniform float detail_texels;  // side of the detail pictures
@@ -80,14 +81,16 @@ float part_length(vec3 place) {
     return lattice_step / clamp(tessellation_weight(place, place, place, reference, per_radius2) * amount + 1.0, 1.0, 64.0);
 }
 
-float detail_height(vec2 at, float part_length) {
+// Where rocks are meshes, the picture of their heights is not raised too.
+float detail_height(vec2 at, float part_length, float as_meshes) {
     ScreeBlend blend = scree_blend(torn(at));
     float height = 0.0;
     for (int i = 0; i < SCREE_SHARES; ++i) {
         if (blend.weights[i] <= 0.0)
             continue;
         float lod = log2(max(1.0, part_length * detail_texels / SCREE_SIZE[blend.slots[i]]));
-        height += blend.weights[i] * scree_displacement_of(blend.slots[i], at, lod);
+        float raised = 1.0 - as_meshes * looks[blend.slots[i]].kind.x;
+        height += blend.weights[i] * raised * scree_displacement_of(blend.slots[i], at, lod);
     }
     return height;
 }
@@ -102,10 +105,12 @@ void main() {
     // At the rim the ground meets its sides, which have no detail.
     vec2 inside = min(uv, 1.0 - uv) / per_ground_size;
     float rim = smoothstep(0.0, 1.0, min(inside.x, inside.y) / (0.5 * lattice_step));
+    float as_meshes = range_share(distance(eye, place), near_m);
     float near = range_share(distance(eye, place), far_m);
     float height = base;
     if (near > 0.0)
-        height += near * (textureLod(moved_heights, uv, 0.0).r + rim * detail_height(at, part_length(place)));
+        height += near * (textureLod(moved_heights, uv, 0.0).r +
+                          rim * detail_height(at, part_length(place), as_meshes));
     gl_Position = clip_from_world * vec4(at.x, height, at.y, 1.0);
 }
 )glsl";

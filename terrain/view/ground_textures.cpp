@@ -184,7 +184,7 @@ void GroundTextures::load_looks(const GlContext& context, const TerrainGround& g
     if (looks.size() > static_cast<std::size_t>(context.max_texture_layers()))
         fail<InvalidInput>("there are ", looks.size(), " looks, ", context.device(),
                            " holds at most ", context.max_texture_layers());
-    const LookLayers layers = make_look_layers({looks.data(), n_wanted});
+    LookLayers layers = make_look_layers({looks.data(), n_wanted});
     const std::vector<Material> shown = shown_materials(ground.map, looks);
     shaders_ =
         ground_shaders(shown, 1.0 / double{map_cells_per_m_}, {.binding = TextureBinding::Layers});
@@ -197,6 +197,9 @@ void GroundTextures::load_looks(const GlContext& context, const TerrainGround& g
     relief_ = repeating_layers(layers.relief.data(), side_,
                                static_cast<int>(shaders_.displacement.size()),
                                {GL_R16F, GL_RED, GL_FLOAT});
+    for (std::size_t i = 0; i < n_wanted && !ground.rocks.places.empty(); ++i)
+        layers.records[i].kind.x =
+            ground.map == nullptr || ground.map->materials[i].gravel ? 1.0F : 0.0F;
     looks_ = GlBuffer(0U);
     glNamedBufferStorage(looks_.id(),
                          static_cast<GLsizeiptr>(layers.records.size() * sizeof(LookRecord)),

@@ -16,6 +16,7 @@ struct LookRecord {
     glm::vec4 colour{0.0F};   ///< Linear light; w: roughness.
     glm::vec4 measure{0.0F};  ///< 1 / size, height of the detail's full range, its greatest slope,
                               ///< 1 where there is a colour picture.
+    glm::vec4 kind{0.0F};     ///< x: 1 for gravel that has rocks near the eye.
 };
 
 /// Looks as layers of equal size, for texture arrays, one layer after the other; RGBA8 but for the

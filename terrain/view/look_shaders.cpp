@@ -21,6 +21,7 @@ std::string_view looks_glsl() {
 struct Look {
     vec4 colour;   // linear; w: roughness
     vec4 measure;  // 1 / size, height of the detail, its greatest slope, 1 where there is a picture
+    vec4 kind;     // x: 1 for gravel that has rocks near the eye
 };
 layout(std430, binding = 0) readonly buffer Looks { Look looks[]; };
 

@@ -1,6 +1,7 @@
 #include "terrain/view/dynamic_normals.h"
 #include "terrain/view/light_shaders.h"
 #include "terrain/view/look_shaders.h"
+#include "terrain/view/ranges.h"
 #include "terrain/view/view_shaders.h"
 
 namespace scree::terrain {
@@ -27,6 +28,7 @@ layout(binding = 3) uniform sampler2D sun_reach;
 uniform int mode;             // 0 textured, 1 wire, 2 height, 3 material
 uniform vec3 height_scale;    // least height, 1 / span, contour interval; metres
 uniform float cell_size;
+uniform float near_m;         // within it gravel is rocks, not pictures of them
 
 struct Soil {
     vec3 albedo;
@@ -102,10 +104,11 @@ vec4 detail_on(int slot, float per_size, Laid on) {
     return sum * (on.share / float(on.n));
 }
 
-Soil soil_at(vec3 world, vec3 dx, vec3 dy, vec2 slopes) {
+Soil soil_at(vec3 world, float base, vec3 dx, vec3 dy, vec2 slopes) {
     Laid flat_, side;
     lay(world, dx, dy, slopes, flat_, side);
     ScreeBlend blend = scree_blend(torn(world.xz));
+    float as_meshes = range_share(distance(eye, vec3(world.x, base, world.z)), near_m);
     Soil soil = Soil(vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0);
     float total = 0.0;
     for (int i = 0; i < SCREE_SHARES; ++i) {
@@ -119,10 +122,11 @@ Soil soil_at(vec3 world, vec3 dx, vec3 dy, vec2 slopes) {
             w *= exp2(7.0 * (d.b - 0.5) * step(1e-9, look.measure.y));
         total += w;
         soil.albedo += w * (albedo_on(slot, flat_) + albedo_on(slot, side));
-        soil.slopes += w * (d.rg * 2.0 - 256.0 / 255.0) * look.measure.z;
-        soil.open += w * d.a;
+        float raised = 1.0 - as_meshes * look.kind.x;
+        soil.slopes += w * raised * (d.rg * 2.0 - 256.0 / 255.0) * look.measure.z;
+        soil.open += w * mix(1.0, d.a, raised);
         soil.roughness += w * look.colour.w;
-        soil.lit += w * mix(1.0, grain_sun(world.xz * look.measure.x, float(slot), look, d.b), flat_.share);
+        soil.lit += w * mix(1.0, grain_sun(world.xz * look.measure.x, float(slot), look, d.b), raised * flat_.share);
     }
     return Soil(soil.albedo / total, soil.slopes / total, soil.open / total,
                 soil.roughness / total, soil.lit / total);
@@ -206,7 +210,7 @@ void main() {
     vec3 dy = step_on_plane(clip + vec2(0.0, sample_size.y), world, facing);
     Soil soil = Soil(vec3(0.42), vec2(0.0), 1.0, 1.0, 1.0);
     if (mode == 0)
-        soil = soil_at(world, dx, dy, s.xy);
+        soil = soil_at(world, texture(base_heights, uv).r, dx, dy, s.xy);
     else if (mode == 2)
         soil.albedo = height_colour((height - height_scale.x) * height_scale.y);
     else if (mode == 3) {
@@ -224,6 +228,21 @@ void main() {
         colour = mix(colour, colour * 0.35,
                      contour(height, height_scale.z, abs(dx.y) + abs(dy.y)));
     picture = vec4(shown(colour), 1.0);
+}
+)glsl";
+
+// A rock has the colours of the ground that its picture covered.
+constexpr const char* kNearRock = R"glsl(
+in vec3 world;
+in vec3 shading_normal;
+layout(location = 0) out vec4 picture;
+
+void main() {
+    vec3 n = normalize(shading_normal);
+    // Its neighbours take the sky from its sides.
+    float open = 0.55 + 0.45 * clamp(n.y, 0.0, 1.0);
+    vec3 albedo_ = scree_ground_colour(world.xz);
+    picture = vec4(shown(lit_colour(albedo_, n, open, object_shadow(world), 0.9, world)), 1.0);
 }
 )glsl";
 
@@ -258,10 +277,15 @@ void main() {
 
 }  // namespace
 
+std::string near_rock_fragment_glsl(const GroundShaders& made) {
+    return kVersion + std::string(noise_glsl()) + made.fragment_functions +
+           std::string(light_glsl()) + kNearRock;
+}
+
 std::string ground_fragment_glsl(const GroundShaders& made) {
-    return kVersion + std::string(dynamic_normals_glsl()) + std::string(noise_glsl()) +
-           std::string(heights_glsl()) + made.fragment_functions + std::string(looks_glsl()) +
-           std::string(light_glsl()) + kFragment;
+    return kVersion + std::string(ranges_glsl()) + std::string(dynamic_normals_glsl()) +
+           std::string(noise_glsl()) + std::string(heights_glsl()) + made.fragment_functions +
+           std::string(looks_glsl()) + std::string(light_glsl()) + kFragment;
 }
 
 std::string wall_fragment_glsl(const GroundShaders& made) {

@@ -34,6 +34,8 @@ std::string ground_fragment_glsl(const GroundShaders& made);
 std::string surface_compute_glsl();  ///< Slopes and open sky of a window of cells.
 std::string sun_compute_glsl();      ///< Sunlight of a window of cells.
 
+/// Rocks near the eye; near_rocks.h has the vertices.
+std::string near_rock_fragment_glsl(const GroundShaders& made);
 std::string wall_vertex_glsl();  ///< The sides of the ground.
 std::string wall_fragment_glsl(const GroundShaders& made);
 std::string object_vertex_glsl();

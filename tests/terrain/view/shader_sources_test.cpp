@@ -1,5 +1,6 @@
 #include "base/whole_file.h"
 #include "terrain/gpu/deformer_shaders.h"
+#include "terrain/view/near_rocks.h"
 #include "terrain/view/view_shaders.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temp_dir.h"
@@ -34,6 +35,8 @@ std::vector<Source> all_sources() {
             {"ground.frag", ground_fragment_glsl(made)},
             {"surface.comp", surface_compute_glsl()},
             {"sun.comp", sun_compute_glsl()},
+            {"rock.vert", near_rock_vertex_glsl()},
+            {"rock.frag", near_rock_fragment_glsl(made)},
             {"wall.vert", wall_vertex_glsl()},
             {"wall.frag", wall_fragment_glsl(made)},
             {"object.vert", object_vertex_glsl()},
