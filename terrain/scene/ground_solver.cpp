@@ -62,8 +62,6 @@ SolverChoice make_solver(const Heightfield& base, const SoilField& soil,
                          const DeformerOptions& options, Device device) {
     if (device == Device::Cpu)
         return on_cpu(base, soil, options, "as asked");
-    if (options.reading == Reading::Literal && device == Device::Auto)
-        return on_cpu(base, soil, options, "the literal form runs nowhere else");
     GlContext::Attempt attempt = GlContext::try_make();
     if (attempt.context == nullptr) {
         if (device == Device::Gpu)

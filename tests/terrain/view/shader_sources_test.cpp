@@ -48,6 +48,8 @@ std::vector<Source> all_sources() {
             {"line.frag", line_fragment_glsl()},
             {"tiles.comp", sound_tiles_glsl({.weighted = false, .palette = true})},
             {"tiles_weighted.comp", sound_tiles_glsl({.weighted = true, .palette = false})},
+            {"literal.comp", literal_glsl({.weighted = true, .palette = true})},
+            {"literal_cells.comp", literal_glsl({.weighted = true, .palette = false})},
             {"loads.comp", sound_loads_glsl({.weighted = false, .palette = false})},
             {"loads_weighted.comp", sound_loads_glsl({.weighted = true, .palette = true})}};
 }
