@@ -36,6 +36,7 @@ struct Output {
     OutputBatch batch;
     std::vector<std::string> files;
     Photo texture;  // of all materials, where one is made
+    vision::HeightImage relief;
 
     fs::path stage(const std::string& name) {
         files.push_back(name);
@@ -71,6 +72,29 @@ DescriptionMap map_of_rules(const DescribeJob& job) {
     return terrain::map_from_rules({std::move(heights.metres), cell}, rules, table.materials);
 }
 
+// The same middle of the displacement map as square_texture() takes of the photograph.
+vision::HeightImage square_relief(const DescribeJob& job, const Photo& photo, double scale) {
+    const vision::HeightImage relief = vision::read_heights(job.relief);
+    const int width = relief.metres.width();
+    const int height = relief.metres.height();
+    if (width != photo.width() || height != photo.height())
+        fail<InvalidInput>(job.relief.string(), " has ", width, " x ", height, " pixels, ",
+                           job.photo.string(), " has ", photo.width(), " x ", photo.height());
+    if (!relief.in_metres)
+        fail<InvalidInput>(job.relief.string(),
+                           " does not say its heights in metres; take displacement.exr");
+    // Without a scale of its own a pixel counted as a millimetre for `scree rocks`.
+    const auto stretched =
+        static_cast<float>(relief.metres_per_pixel > 0.0 ? scale / relief.metres_per_pixel : 1.0);
+    const int side = std::min(width, height);
+    FloatRaster square(side, side);
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x)
+            square(x, y) =
+                stretched * relief.metres(x + (width - side) / 2, y + (height - side) / 2);
+    return {std::move(square), scale};
+}
+
 // The photograph's middle becomes the texture of both materials.
 DescriptionMap map_of_rocks(const DescribeJob& job, Output& out) {
     const vision::PhotoFile photo = vision::read_photo(job.photo);
@@ -83,8 +107,14 @@ DescriptionMap map_of_rocks(const DescribeJob& job, Output& out) {
     DescriptionMap map = terrain::map_from_rocks(labels, photo.pixels, scale, job.rock);
     out.texture = terrain::square_texture(photo.pixels);
     vision::write_png(out.stage("texture.png"), out.texture);
+    if (!job.relief.empty()) {
+        out.relief = square_relief(job, photo.pixels, scale);
+        vision::write_heights_exr(out.stage("texture_height.exr"), out.relief);
+    }
     for (terrain::Material& material : map.materials) {
         material.textures.albedo = out.folder / "texture.png";
+        if (!job.relief.empty())
+            material.textures.displacement = out.folder / "texture_height.exr";
         material.textures.size_m = out.texture.width() * scale;
         material.gravel = material.id == terrain::kRockId;
     }
@@ -204,7 +234,7 @@ void write_baked(const DescribeJob& job, const DescriptionMap& map, Output& out,
         if (out.texture.empty())
             pictures.back() = terrain::read_material_pictures(material.textures);
         else
-            pictures.back().albedo = out.texture;  // its file has a temporary name still
+            pictures.back() = {out.texture, out.relief.metres, {}};  // temporary names still
     }
     const terrain::BakedGround baked = terrain::bake_textures(
         map, pictures, {.size = job.options.bake, .literal_hat = job.shader.literal_hat}, progress);
@@ -215,9 +245,9 @@ void write_baked(const DescribeJob& job, const DescriptionMap& map, Output& out,
 
 // All files that were read, and the textures that the map names.
 std::vector<fs::path> inputs_of(const DescribeJob& job, const DescriptionMap& map) {
-    std::vector<fs::path> inputs = {job.map,       job.painted, job.labels,  job.photo,
-                                    job.rules,     job.heights, job.picture, job.id_file,
-                                    job.materials, job.strokes, job.layers};
+    std::vector<fs::path> inputs = {job.map,     job.painted,   job.labels,  job.photo,
+                                    job.relief,  job.rules,     job.heights, job.picture,
+                                    job.id_file, job.materials, job.strokes, job.layers};
     if (!job.map.empty() && fs::is_directory(job.map))
         inputs.push_back(job.map / "materials.json");
     if (job.labels.empty())  // else the texture is an output
@@ -257,7 +287,7 @@ void remove_stale(const std::vector<fs::path>& inputs, const Output& out) {
 
 DescribeReport run_describe_job(const DescribeJob& job, Progress* progress) {
     DescribeReport report;
-    Output out{job.folder, {}, {}, {}};
+    Output out{job.folder, {}, {}, {}, {}};
     report.map = map_of(job, report, out, progress);
     paint_over(job, report.map, progress);
     mix(job, report, out);

@@ -55,6 +55,7 @@ struct DescribeJob {
     std::filesystem::path map;            ///< A map in its sound form.
     std::filesystem::path painted;        ///< Picture of ids or of the materials' colours.
     std::filesystem::path labels, photo;  ///< As `scree rocks` wrote and read them.
+    std::filesystem::path relief;         ///< Displacement map of `scree rocks`, for the texture.
     std::filesystem::path rules, heights;
     std::filesystem::path picture, id_file;  ///< A map in its published form.
     std::filesystem::path materials;         ///< The table for painted pictures, rules and strokes.

@@ -41,6 +41,8 @@ void check_sources(const DescribeJob& job) {
         fail<UsageError>("--cell-size-m does not go with ",
                          n_sources == 0 ? "a script's own ground, which says it"
                                         : "--labels; --pixels-per-cell says it there");
+    if (!job.relief.empty() && job.labels.empty())
+        fail<UsageError>("--relief needs --labels beside it");
     if (job.layers.empty() && job.mix.downwards > 0.0)
         fail<UsageError>("--mix-downwards needs --layers, which says what lies below");
     const bool table = !job.rules.empty() || n_sources == 0;
@@ -56,6 +58,8 @@ void describe_paths(Arguments& arguments, DescribeJob& job) {
     arguments.path({"labels", 0, "LABELS", "from the label map of 'scree rocks'", false},
                    job.labels);
     arguments.path({"photo", 0, "PHOTO", "the photograph of the label map", false}, job.photo);
+    arguments.path({"relief", 0, "DISPLACEMENT.exr", "the displacement map of those rocks", false},
+                   job.relief);
     arguments.path({"rules", 0, "RULES.json", "from rules over a height map", false}, job.rules);
     arguments.path({"heights", 0, "HEIGHTS", "the height map of the rules, metres", false},
                    job.heights);

@@ -178,6 +178,27 @@ TEST_F(Describe, RocksAndTheGroundBetweenThem) {
     EXPECT_TRUE(map.materials[1].gravel);
     EXPECT_EQ(vision::read_photo(map.materials[1].textures.albedo).pixels.width(), 48);
     EXPECT_DOUBLE_EQ(map.materials[1].textures.size_m, 0.48);
+    EXPECT_TRUE(map.materials[1].textures.displacement.empty());
+
+    // The depth map of the rocks goes with the photograph; found at 5 mm a pixel, used at 10.
+    vision::HeightImage relief{FloatRaster(64, 48), 0.005};
+    relief.metres(8 + 3, 7) = 0.02F;
+    vision::write_heights_exr(at("relief.exr"), relief);
+    std::vector<std::string> words = {"--labels",  at("labels.png"), "--photo",  at("photo.png"),
+                                      "--width-m", "0.64",           "--relief", at("relief.exr")};
+    const auto raised = describe(words, "two");
+    ASSERT_EQ(raised.status, 0) << raised.errors;
+    for (const auto& material : terrain::read_description_map(at("two")).materials) {
+        const auto heights = vision::read_heights(material.textures.displacement);
+        EXPECT_EQ(heights.metres.width(), 48);
+        EXPECT_FLOAT_EQ(heights.metres(3, 7), 0.04F);
+        EXPECT_DOUBLE_EQ(heights.metres_per_pixel, 0.01);
+    }
+    vision::write_heights_exr(at("relief.exr"), {FloatRaster(9, 9), 0.005});
+    expect_refused(words, 1, "relief.exr has 9 x 9 pixels");
+    expect_refused({"--strokes", at("strokes.json"), "--materials", at("table.json"), "--relief",
+                    at("relief.exr")},
+                   2, "--relief needs --labels");
 }
 
 TEST_F(Describe, RulesOverHeights) {
