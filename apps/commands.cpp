@@ -37,8 +37,8 @@ std::span<const Command> commands() {
         {{"deform", "press, roll and drag objects over ground that gives way",
           "scree deform testdata/scenes/sand.json -o out",
           "Writes ddh.exr (displacements) and height.exr in metres, terrain.glb, frames, "
-          "preview.gif "
-          "and report.json: all of them, or none if it is stopped."},
+          "preview.gif, settled.png where the scene asks for it, and report.json: all of them, or "
+          "none if it is stopped."},
          run_deform},
         {{"weather", "wear a mesh as wind and frost do: protrusions recede, hollows stay",
           "scree weather statue.ply -o worn.ply --steps 50 --power 2 --before-after worn.png",

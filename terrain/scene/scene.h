@@ -63,7 +63,6 @@ struct MaterialRegion {
 struct MeshFile {
     std::filesystem::path file;
 };
-
 using ObjectShape = std::variant<SphereShape, BoxShape, TyreShape, BootShape, MeshFile>;
 
 /// One thing that moves over the ground.
@@ -79,8 +78,7 @@ struct SceneObject {
 
 /// Where the pictures are taken from.
 struct SceneCamera {
-    double azimuth_deg = 25.0, elevation_deg = 35.0;
-    double field_of_view_deg = 32.0;
+    double azimuth_deg = 25.0, elevation_deg = 35.0, field_of_view_deg = 32.0;
     std::optional<glm::dvec3> eye_m, target_m;  ///< Both or none; none sees the whole ground.
     double light_azimuth_deg = -55.0, light_elevation_deg = 32.0;
 };
