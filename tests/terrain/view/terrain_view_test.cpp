@@ -1,5 +1,6 @@
 #include "terrain/view/terrain_view.h"
 
+#include "terrain/view/ranges.h"
 #include "tests/support/golden.h"
 #include "tests/support/temp_dir.h"
 #include "tests/terrain/gpu/gl_fixture.h"
@@ -159,46 +160,41 @@ TEST_F(TerrainViews, BeyondTheFarRangeNormalsAloneShowTheGroove) {
 }
 
 // Without light the ground is black and what shines through it is the backdrop.
-// TD-17: rocks take the place of the picture of their heights within r1. As r1 grows past them
-// nothing jumps: no step of it changes the picture by more than a small part of the whole change.
-TEST_F(TerrainViews, RocksRiseOutOfTheirPictureWithoutAJump) {
+// TD-17: a rock that has just come within r1 is hardly to be seen, and where the border band ends
+// it stands as it stands near by. What lies beyond r1 is drawn as if there were no rocks.
+TEST_F(TerrainViews, RocksRiseWithoutAJump) {
     map_.materials[2].gravel = true;
-    TerrainGround with_rocks = ground(64);
-    with_rocks.rocks.meshes.push_back(ball_);
-    for (int i = 0; i < 60; ++i)
-        with_rocks.rocks.places.push_back(
-            {0, glm::scale(
-                    glm::translate(glm::mat4(1.0F), {2.9F + 0.15F * static_cast<float>(i % 6), 0.0F,
-                                                     0.4F + 0.33F * static_cast<float>(i / 6)}),
-                    glm::vec3(0.06F))});
+    const glm::vec3 place(3.3F, 0.0F, 2.0F);
+    TerrainGround with_rock{&base_, &map_, {}, {}};
+    with_rock.rocks.meshes.push_back(ball_);
+    with_rock.rocks.places.push_back(
+        {0, glm::scale(glm::translate(glm::mat4(1.0F), place), glm::vec3(0.3F))});
     const auto drawn = [&](double near_m) {
-        TerrainView view(context(), with_rocks,
+        TerrainView view(context(), with_rock,
                          {.width = 120, .height = 75, .near_m = near_m, .shadow_size = 64});
         return view.draw(frame());
     };
-    TerrainView plain(context(), ground(64), {.width = 120, .height = 75, .shadow_size = 64});
     const auto apart = [](const Photo& a, const Photo& b) {
         double sum = 0.0;
         for (std::size_t i = 0; i < a.size(); ++i)
             for (int c = 0; c < 3; ++c)
                 sum += std::abs(int{a.data()[i][c]} - int{b.data()[i][c]});
-        return sum / (3.0 * static_cast<double>(a.size()));
+        return sum;
     };
-    const double away = distance(frame().camera.eye, glm::vec3(3.3F, 0.0F, 2.0F));
-    const Photo none = plain.draw(frame());
-    EXPECT_EQ(none, drawn(0.5 * away));  // all beyond r1
-    Photo before = none;
-    double greatest = 0.0;
-    double sum = 0.0;
-    constexpr int kSteps = 6;
-    for (int step = 1; step <= kSteps; ++step) {
-        const Photo now = drawn(away * (0.9 + 0.6 * step / kSteps));
-        greatest = std::max(greatest, apart(before, now));
-        sum += apart(before, now);
-        before = now;
-    }
-    EXPECT_GT(apart(none, before), 0.5);
-    EXPECT_LT(greatest, 0.45 * sum);
+    glm::vec3 foot = place;
+    foot.y = base_.heights(static_cast<int>(place.x / base_.cell_size),
+                           static_cast<int>(place.z / base_.cell_size));
+    const double away = distance(frame().camera.eye, foot);
+    const Photo none = drawn(0.0);
+    EXPECT_EQ(none, drawn(0.98 * away));
+    const Photo whole = drawn(4.0 * away);
+    const double all = apart(none, whole);
+    EXPECT_GT(all, 5e3);
+    EXPECT_LT(apart(none, drawn(1.03 * away)), 0.05 * all);
+    EXPECT_LT(apart(whole, drawn(away / (1.0 - kRangeBand) / 1.03)), 0.1 * all);
+    const double half = apart(none, drawn(away / (1.0 - 0.5 * double{kRangeBand})));
+    EXPECT_GT(half, 0.2 * all);
+    EXPECT_LT(half, 0.9 * all);
 }
 
 TEST_F(TerrainViews, HaveNoCracks) {
