@@ -25,6 +25,8 @@ uniform vec3 reference;
 uniform float per_radius2;
 uniform float amount;
 uniform float slack;          // how far displacement may carry a point, metres
+uniform vec3 eye;
+uniform float far_m;
 uniform mat4 clip_from_world;
 
 // All of a sphere lies beyond one side of the picture.
@@ -42,6 +44,18 @@ bool out_of_view(vec3 centre, float radius) {
     return false;
 }
 
+// Beyond r2 nothing is displaced, so nothing is cut. An edge goes by its own two ends, which both of
+// its patches see alike.
+void leave_far_ground_whole(vec3 p[6], inout vec4 factors) {
+    bvec3 beyond = bvec3(distance(eye, p[0]) > far_m, distance(eye, p[1]) > far_m,
+                         distance(eye, p[2]) > far_m);
+    for (int edge = 0; edge < 3; ++edge)
+        if (beyond[(edge + 1) % 3] && beyond[(edge + 2) % 3])
+            factors[edge] = 1.0;
+    if (all(beyond))
+        factors.w = 1.0;
+}
+
 void main() {
     corner_place[gl_InvocationID] = lattice_point[gl_InvocationID].xz;
     if (gl_InvocationID != 0)
@@ -49,6 +63,7 @@ void main() {
     vec3 p[6] = vec3[6](lattice_point[0], lattice_point[1], lattice_point[2], lattice_point[3],
                         lattice_point[4], lattice_point[5]);
     vec4 factors = patch_factors(p, reference, per_radius2, amount);
+    leave_far_ground_whole(p, factors);
     vec3 centre = (p[0] + p[1] + p[2]) / 3.0;
     float reach = slack + max(distance(centre, p[0]), max(distance(centre, p[1]), distance(centre, p[2])));
     if (out_of_view(centre, reach))

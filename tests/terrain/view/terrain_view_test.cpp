@@ -159,6 +159,19 @@ TEST_F(TerrainViews, BeyondTheFarRangeNormalsAloneShowTheGroove) {
         EXPECT_EQ(flat(x, 0), grooved(x, 0));
 }
 
+TEST_F(TerrainViews, BeyondTheFarRangeNothingIsCut) {
+    const auto wires = [&](double tessellation) {
+        TerrainView view(context(), ground(16),
+                         {.width = 120,
+                          .height = 75,
+                          .tessellation = tessellation,
+                          .far_m = 0.01,
+                          .shadow_size = 64});
+        return view.draw(frame(), ViewMode::Wire);
+    };
+    EXPECT_EQ(wires(0.0), wires(12.0));
+}
+
 // Without light the ground is black and what shines through it is the backdrop.
 // TD-17: a rock that has just come within r1 is hardly to be seen, and where the border band ends
 // it stands as it stands near by. What lies beyond r1 is drawn as if there were no rocks.
@@ -198,7 +211,9 @@ TEST_F(TerrainViews, RocksRiseWithoutAJump) {
 }
 
 TEST_F(TerrainViews, HaveNoCracks) {
-    for (const double tessellation : {5.0, 40.0}) {
+    // The last far range ends in the middle of the picture.
+    for (const auto& [tessellation, far_m] :
+         {std::pair{5.0, 0.0}, std::pair{40.0, 0.0}, std::pair{40.0, 2.35}}) {
         TerrainView view(context(), ground(),
                          {.width = 240,
                           .height = 150,
@@ -206,6 +221,7 @@ TEST_F(TerrainViews, HaveNoCracks) {
                           .lattice = 20,
                           .tessellation = tessellation,
                           .refine_radius_m = 0.8,
+                          .far_m = far_m,
                           .shadow_size = 64});
         TerrainFrame shown = frame();
         shown.displacement = &groove_;
@@ -216,7 +232,7 @@ TEST_F(TerrainViews, HaveNoCracks) {
         std::size_t n_holes = 0;
         for (const auto& pixel : view.draw(shown))
             n_holes += pixel.x > 0 || pixel.y > 0 || pixel.z > 0 ? 1 : 0;
-        EXPECT_EQ(n_holes, 0U) << "tessellation " << tessellation;
+        EXPECT_EQ(n_holes, 0U) << "tessellation " << tessellation << ", far " << far_m;
     }
 }
 
