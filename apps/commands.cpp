@@ -27,7 +27,8 @@ std::span<const Command> commands() {
           "say what the ground is made of, place by place, from pictures, rules or strokes",
           "scree describe --labels out/labels.png --photo gravel.jpg --width-m 0.8 -o ground",
           "Writes materials.json, ids.png, description.png to look at and, where cells differ from "
-          "their materials, params.exr. On request: the published set of map_rgba.png, "
+          "their materials, params.exr; with --layers also layers.exr, what every layer holds. On "
+          "request: the published set of map_rgba.png, "
           "map_ids.txt, "
           "ground.frag.glsl and ground.tese.glsl; ground_albedo.png, ground_normal.png and "
           "ground_height.exr; channel_*.png. Says what a form could not keep. "
@@ -36,8 +37,8 @@ std::span<const Command> commands() {
         {{"deform", "press, roll and drag objects over ground that gives way",
           "scree deform testdata/scenes/sand.json -o out",
           "Writes ddh.exr (displacements) and height.exr in metres, terrain.glb, frames, "
-          "preview.gif "
-          "and report.json: all of them, or none if it is stopped."},
+          "preview.gif, settled.png where the scene asks for it, and report.json: all of them, or "
+          "none if it is stopped."},
          run_deform},
         {{"weather", "wear a mesh as wind and frost do: protrusions recede, hollows stay",
           "scree weather statue.ply -o worn.ply --steps 50 --power 2 --before-after worn.png",

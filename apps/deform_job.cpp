@@ -22,6 +22,7 @@ using terrain::Simulation;
 
 // Half a second of pictures a second of the scene is enough for a glance.
 constexpr std::size_t kMostPreviewPictures = 48;
+constexpr const char* kSettledFile = "settled.png";
 
 std::string frame_name(int frame) {
     const std::string digits = std::to_string(frame);
@@ -71,6 +72,12 @@ public:
             preview_.push_back(shrunk(picture, scene_.outputs.preview_width));
     }
 
+    void draw_settled(const Simulation& simulation, const fs::path& folder, OutputBatch& batch,
+                      std::vector<std::string>& files) {
+        files.push_back(kSettledFile);
+        vision::write_png(batch.stage(folder / files.back()), painter_->draw(simulation));
+    }
+
     void write_preview(const fs::path& folder, OutputBatch& batch,
                        std::vector<std::string>& files) const {
         const double rate =
@@ -118,8 +125,9 @@ void remove_stale_frames(const fs::path& folder, const std::vector<std::string>&
             fs::remove(entry.path(), ignored);
     }
     fs::remove(folder / "frames", ignored);  // stays where something is left in it
-    if (std::find(files.begin(), files.end(), "preview.gif") == files.end())
-        fs::remove(folder / "preview.gif", ignored);
+    for (const char* name : {"preview.gif", kSettledFile})
+        if (std::find(files.begin(), files.end(), name) == files.end())
+            fs::remove(folder / name, ignored);
 }
 
 }  // namespace
@@ -154,6 +162,12 @@ DeformResult run_deform_job(const DeformJob& job, Progress* progress) {
             pictures->draw(simulation, job.folder, batch, result.files);
         times.draw_ms = 1000.0 * watch.lap();
         result.frames.push_back(times);
+    }
+    if (scene.settle) {
+        report_progress(progress, "settling", 0.0);
+        result.settled = simulation.settle();
+        if (pictures)
+            pictures->draw_settled(simulation, job.folder, batch, result.files);
     }
     report_progress(progress, "writing files", 0.0);
     write_ground(scene, simulation, job.folder, batch, result.files);

@@ -4,6 +4,7 @@
 #include "terrain/scene/simulation.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,7 @@ struct DeformResult {
     std::string device_reason;  ///< Why that one.
     std::string renderer;       ///< That drew the pictures; empty without any.
     std::vector<FrameTimes> frames;
+    std::optional<terrain::SettleReport> settled;  ///< Where the scene asks for it.
     terrain::VolumeReport volume;
     std::vector<terrain::MaterialReport> materials;
     std::vector<terrain::ObjectReport> objects;

@@ -15,6 +15,7 @@ ordered_json frame_json(const FrameTimes& times) {
     const terrain::FrameReport& r = times.report;
     return {{"substeps", r.substeps},
             {"contact_cells", r.contact_cells},
+            {"unspent_force_n", r.unspent_n},
             {"tiles", r.tiles},
             {"ms",
              {{"place", r.place_ms},
@@ -58,8 +59,15 @@ std::string deform_json(const DeformResult& result) {
         objects.push_back({{"name", o.name},
                            {"deepest_m", o.deepest_m},
                            {"most_cells", o.most_cells},
+                           {"unspent_force_n", o.unspent_n},
                            {"smaller_than_cell", o.smaller_than_cell}});
     const terrain::VolumeReport& v = result.volume;
+    ordered_json settled;  // null where the ground was left as the last frame had it
+    if (const auto& s = result.settled)
+        settled = {{"sweeps", s->sweeps},
+                   {"excess_before", s->excess_before},
+                   {"excess", s->excess},
+                   {"moved_m3", s->moved_m3}};
     const ordered_json report = {
         {"format", "scree-deform-report"},
         {"version", 1},
@@ -76,6 +84,7 @@ std::string deform_json(const DeformResult& result) {
           {"moved_m3", v.moved_m3},
           {"relative_drift", v.relative_drift},
           {"drift_of_moved", v.drift_of_moved}}},
+        {"settled", settled},
         {"materials", materials},
         {"objects", objects},
         {"median_solve_ms", median(solved)},
@@ -112,6 +121,11 @@ std::string deform_text(const DeformResult& result, const std::filesystem::path&
                       "(repose %.0f)\n",
                       m.name.c_str(), m.moved_m3, m.deepest_m, m.highest_m, m.greatest_slope_deg,
                       m.repose_deg);
+        text += line;
+    }
+    if (result.settled) {
+        std::snprintf(line, sizeof line, "  settled  %.4g m3 in %.0f sweeps\n",
+                      result.settled->moved_m3, result.settled->sweeps);
         text += line;
     }
     std::snprintf(line, sizeof line, "  volume   drift %.1e of the ground's, %.1e of the moved\n",

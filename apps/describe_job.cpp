@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/whole_file.h"
 #include "terrain/material/description_picture.h"
+#include "terrain/material/layers_json.h"
 #include "terrain/material/map_check.h"
 #include "terrain/material/map_files.h"
 #include "terrain/material/map_rules.h"
@@ -24,8 +25,9 @@ constexpr double kSurfaceDepth = 1.0;  // metres; of the one layer that mixes
 
 // Everything that any run writes; what a run has no version of is taken away.
 constexpr const char* kAllFiles[] = {
-    "params.exr",         "map_rgba.png",         "map_ids.txt",          "ground_albedo.png",
-    "ground_normal.png",  "ground_height.exr",    terrain::kFragmentFile, terrain::kEvaluationFile,
+    "params.exr",         "layers.exr",           "map_rgba.png",
+    "map_ids.txt",        "ground_albedo.png",    "ground_normal.png",
+    "ground_height.exr",  terrain::kFragmentFile, terrain::kEvaluationFile,
     "channel_repose.png", "channel_mobility.png", "channel_diffusion.png"};
 
 /// Collects the files of a run.
@@ -34,6 +36,7 @@ struct Output {
     OutputBatch batch;
     std::vector<std::string> files;
     Photo texture;  // of all materials, where one is made
+    vision::HeightImage relief;
 
     fs::path stage(const std::string& name) {
         files.push_back(name);
@@ -69,6 +72,29 @@ DescriptionMap map_of_rules(const DescribeJob& job) {
     return terrain::map_from_rules({std::move(heights.metres), cell}, rules, table.materials);
 }
 
+// The same middle of the displacement map as square_texture() takes of the photograph.
+vision::HeightImage square_relief(const DescribeJob& job, const Photo& photo, double scale) {
+    const vision::HeightImage relief = vision::read_heights(job.relief);
+    const int width = relief.metres.width();
+    const int height = relief.metres.height();
+    if (width != photo.width() || height != photo.height())
+        fail<InvalidInput>(job.relief.string(), " has ", width, " x ", height, " pixels, ",
+                           job.photo.string(), " has ", photo.width(), " x ", photo.height());
+    if (!relief.in_metres)
+        fail<InvalidInput>(job.relief.string(),
+                           " does not say its heights in metres; take displacement.exr");
+    // Without a scale of its own a pixel counted as a millimetre for `scree rocks`.
+    const auto stretched =
+        static_cast<float>(relief.metres_per_pixel > 0.0 ? scale / relief.metres_per_pixel : 1.0);
+    const int side = std::min(width, height);
+    FloatRaster square(side, side);
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x)
+            square(x, y) =
+                stretched * relief.metres(x + (width - side) / 2, y + (height - side) / 2);
+    return {std::move(square), scale};
+}
+
 // The photograph's middle becomes the texture of both materials.
 DescriptionMap map_of_rocks(const DescribeJob& job, Output& out) {
     const vision::PhotoFile photo = vision::read_photo(job.photo);
@@ -81,8 +107,14 @@ DescriptionMap map_of_rocks(const DescribeJob& job, Output& out) {
     DescriptionMap map = terrain::map_from_rocks(labels, photo.pixels, scale, job.rock);
     out.texture = terrain::square_texture(photo.pixels);
     vision::write_png(out.stage("texture.png"), out.texture);
+    if (!job.relief.empty()) {
+        out.relief = square_relief(job, photo.pixels, scale);
+        vision::write_heights_exr(out.stage("texture_height.exr"), out.relief);
+    }
     for (terrain::Material& material : map.materials) {
         material.textures.albedo = out.folder / "texture.png";
+        if (!job.relief.empty())
+            material.textures.displacement = out.folder / "texture_height.exr";
         material.textures.size_m = out.texture.width() * scale;
         material.gravel = material.id == terrain::kRockId;
     }
@@ -137,13 +169,33 @@ void paint_over(const DescribeJob& job, DescriptionMap& map, Progress* progress)
     terrain::paint(map, script.strokes, progress);
 }
 
-void mix(const DescribeJob& job, DescriptionMap& map) {
-    if (job.mix.steps == 0)
+// Channels such as 0.sand: metres of a material in a layer, the uppermost first.
+void write_layers(const terrain::MaterialLayers& layers, Output& out) {
+    std::vector<vision::NamedPlane> planes;
+    for (std::size_t n = 0; n < layers.amounts.size(); ++n)
+        for (std::size_t m = 0; m < layers.materials.size(); ++m) {
+            const Raster<double>& amounts = layers.amounts[n][m];
+            FloatRaster values(amounts.width(), amounts.height());
+            std::transform(amounts.begin(), amounts.end(), values.begin(),
+                           [](double amount) { return static_cast<float>(amount); });
+            planes.push_back(
+                {std::to_string(n) + "." + layers.materials[m].name, std::move(values)});
+        }
+    vision::write_planes_exr(out.stage("layers.exr"), planes);
+}
+
+void mix(const DescribeJob& job, DescribeReport& report, Output& out) {
+    if (job.mix.steps == 0 && job.layers.empty())
         return;
-    const double depth[] = {kSurfaceDepth};
-    terrain::MaterialLayers layers = terrain::layers_of_map(map, depth);
-    terrain::mix_layers(layers, job.mix);
-    map = terrain::surface_map(layers, kSurfaceDepth);
+    terrain::LayerStack stack{{{kSurfaceDepth, {}, {}}}, kSurfaceDepth};
+    if (!job.layers.empty())
+        stack = terrain::read_layers(job.layers, report.map.materials);
+    terrain::MaterialLayers layers = terrain::make_layers(report.map, stack);
+    report.mixed = terrain::mix_layers(layers, job.mix);
+    report.n_layers = layers.amounts.size();
+    report.map = terrain::surface_map(layers, stack.surface_depth_m);
+    if (!job.layers.empty())
+        write_layers(layers, out);
 }
 
 void write_published(const DescribeJob& job, DescribeReport& report, Output& out) {
@@ -182,7 +234,7 @@ void write_baked(const DescribeJob& job, const DescriptionMap& map, Output& out,
         if (out.texture.empty())
             pictures.back() = terrain::read_material_pictures(material.textures);
         else
-            pictures.back().albedo = out.texture;  // its file has a temporary name still
+            pictures.back() = {out.texture, out.relief.metres, {}};  // temporary names still
     }
     const terrain::BakedGround baked = terrain::bake_textures(
         map, pictures, {.size = job.options.bake, .literal_hat = job.shader.literal_hat}, progress);
@@ -193,9 +245,9 @@ void write_baked(const DescribeJob& job, const DescriptionMap& map, Output& out,
 
 // All files that were read, and the textures that the map names.
 std::vector<fs::path> inputs_of(const DescribeJob& job, const DescriptionMap& map) {
-    std::vector<fs::path> inputs = {job.map,       job.painted, job.labels,  job.photo,
-                                    job.rules,     job.heights, job.picture, job.id_file,
-                                    job.materials, job.strokes};
+    std::vector<fs::path> inputs = {job.map,     job.painted,   job.labels,  job.photo,
+                                    job.relief,  job.rules,     job.heights, job.picture,
+                                    job.id_file, job.materials, job.strokes, job.layers};
     if (!job.map.empty() && fs::is_directory(job.map))
         inputs.push_back(job.map / "materials.json");
     if (job.labels.empty())  // else the texture is an output
@@ -235,10 +287,10 @@ void remove_stale(const std::vector<fs::path>& inputs, const Output& out) {
 
 DescribeReport run_describe_job(const DescribeJob& job, Progress* progress) {
     DescribeReport report;
-    Output out{job.folder, {}, {}, {}};
+    Output out{job.folder, {}, {}, {}, {}};
     report.map = map_of(job, report, out, progress);
     paint_over(job, report.map, progress);
-    mix(job, report.map);
+    mix(job, report, out);
     terrain::stage_description_map(report.map, out.folder, out.batch);
     out.files.insert(out.files.end(), {"materials.json", "ids.png"});
     const bool planes =

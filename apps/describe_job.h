@@ -55,10 +55,12 @@ struct DescribeJob {
     std::filesystem::path map;            ///< A map in its sound form.
     std::filesystem::path painted;        ///< Picture of ids or of the materials' colours.
     std::filesystem::path labels, photo;  ///< As `scree rocks` wrote and read them.
+    std::filesystem::path relief;         ///< Displacement map of `scree rocks`, for the texture.
     std::filesystem::path rules, heights;
     std::filesystem::path picture, id_file;  ///< A map in its published form.
     std::filesystem::path materials;         ///< The table for painted pictures, rules and strokes.
     std::filesystem::path strokes;           ///< Laid over what the others give.
+    std::filesystem::path layers;            ///< What lies below the map and mixes with it.
     std::filesystem::path folder;
     DescribeOptions options;
     terrain::PaintOptions paint;
@@ -73,6 +75,8 @@ struct DescribeReport {
     std::vector<std::string> files;  ///< In the folder.
     std::optional<terrain::ConversionReport> imported;
     std::optional<terrain::ConversionReport> exported;
+    std::optional<terrain::MixReport> mixed;
+    std::size_t n_layers = 0;  ///< That mixed.
 };
 
 /// Make the map and write its files, all or none. The mix starts from no steps.

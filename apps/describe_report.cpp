@@ -62,6 +62,11 @@ std::string describe_text(const DescribeReport& report, const DescribeJob& job) 
         text += line(": repose %.4g deg, mobility %.4g, diffusion %.4g\n", material.soil.repose_deg,
                      material.soil.mobility, material.soil.diffusion);
     }
+    if (report.mixed && report.n_layers > 1)
+        for (std::size_t i = 0; i < map.materials.size(); ++i)
+            text +=
+                line("  %zu layers hold %.6g m3 of ", report.n_layers, report.mixed->after_m3[i]) +
+                map.materials[i].name + "\n";
     if (report.imported)
         text += loss_text("import", *report.imported);
     if (report.exported)
@@ -81,6 +86,10 @@ std::string describe_json(const DescribeReport& report, const DescribeJob& job) 
                          {"cells", {map.ids.width(), map.ids.height()}},
                          {"cell_size_m", map.cell_size},
                          {"materials", materials}};
+    if (report.mixed)
+        root["mixed"] = {{"layers", report.n_layers},
+                         {"before_m3", report.mixed->before_m3},
+                         {"after_m3", report.mixed->after_m3}};
     if (report.imported)
         root["import"] = loss_json(*report.imported);
     if (report.exported)

@@ -39,7 +39,7 @@ void describe(RenderOptions& o, Visitor&& field) {
 }
 
 struct RenderJob {
-    std::filesystem::path heights, displacement, map, output;
+    std::filesystem::path heights, displacement, map, rocks, output;
     RenderOptions options;
     terrain::TerrainViewOptions view;
     bool software = false;

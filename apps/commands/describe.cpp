@@ -41,6 +41,10 @@ void check_sources(const DescribeJob& job) {
         fail<UsageError>("--cell-size-m does not go with ",
                          n_sources == 0 ? "a script's own ground, which says it"
                                         : "--labels; --pixels-per-cell says it there");
+    if (!job.relief.empty() && job.labels.empty())
+        fail<UsageError>("--relief needs --labels beside it");
+    if (job.layers.empty() && job.mix.downwards > 0.0)
+        fail<UsageError>("--mix-downwards needs --layers, which says what lies below");
     const bool table = !job.rules.empty() || n_sources == 0;
     if (table && job.materials.empty())
         fail<UsageError>("--rules and --strokes need --materials beside them");
@@ -54,6 +58,8 @@ void describe_paths(Arguments& arguments, DescribeJob& job) {
     arguments.path({"labels", 0, "LABELS", "from the label map of 'scree rocks'", false},
                    job.labels);
     arguments.path({"photo", 0, "PHOTO", "the photograph of the label map", false}, job.photo);
+    arguments.path({"relief", 0, "DISPLACEMENT.exr", "the displacement map of those rocks", false},
+                   job.relief);
     arguments.path({"rules", 0, "RULES.json", "from rules over a height map", false}, job.rules);
     arguments.path({"heights", 0, "HEIGHTS", "the height map of the rules, metres", false},
                    job.heights);
@@ -64,6 +70,8 @@ void describe_paths(Arguments& arguments, DescribeJob& job) {
                    job.strokes);
     arguments.path({"materials", 0, "TABLE.json", "materials of pictures, rules, strokes", false},
                    job.materials);
+    arguments.path({"layers", 0, "LAYERS.json", "what lies below the map and mixes with it", false},
+                   job.layers);
 }
 
 }  // namespace
@@ -76,7 +84,7 @@ void run_describe(Arguments& arguments) {
     arguments.options(job.options);
     arguments.options(job.paint);
     arguments.options(job.rock);
-    arguments.options(job.mix, {"mix-steps", "mix-sideways"});
+    arguments.options(job.mix);
     arguments.options(job.shader, {"binding", "literal-hat"});
     arguments.options(common);
     arguments.parse();

@@ -4,7 +4,10 @@
 #include "terrain/gpu/deformer_shaders.h"
 #include "terrain/gpu/gl_objects.h"
 #include "terrain/gpu/shader_program.h"
+#include "terrain/gpu/soil_palette.h"
+#include "terrain/grid/literal_step.h"
 #include "terrain/grid/sound_step.h"
+#include "terrain/grid/whole_quanta.h"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +15,6 @@
 #include <cmath>
 #include <epoxy/gl.h>
 #include <limits>
-#include <map>
 #include <vector>
 
 namespace scree::terrain {
@@ -28,55 +30,12 @@ struct DeviceReport {
     std::uint32_t unused = 0;
 };
 
-using SoilRecord = std::array<float, 4>;  // repose, diffusion, mobility, compaction
-
 GlTexture plane(int width, int height, GLenum format) {
     GlTexture texture(GL_TEXTURE_2D);
     glTextureStorage2D(texture.id(), 1, format, width, height);
     glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     return texture;
-}
-
-// Soils of every cell as places in a table of at most 256; `fits` is false where they are more.
-struct Palette {
-    std::vector<SoilRecord> table;
-    Raster<std::uint8_t> index;
-    Raster<SoilRecord> cells;
-    bool fits = true;
-};
-
-Palette palette_of(const SoilField& soil, int width, int height, bool weighted) {
-    Palette palette;
-    palette.index = Raster<std::uint8_t>(width, height);
-    std::map<SoilRecord, std::uint8_t> places;
-    SoilTile tile;
-    for (int y = 0; y < height; ++y) {
-        soil.fill({0, y, width, 1}, tile);
-        for (int x = 0; x < width; ++x) {
-            const SoilRecord record{weighted ? tile.repose(x, 0) : tile.tan_repose(x, 0),
-                                    tile.diffusion(x, 0), tile.mobility(x, 0),
-                                    tile.compaction(x, 0)};
-            if (palette.fits) {
-                auto found = places.find(record);
-                if (found == places.end() && places.size() < 256) {
-                    found = places.emplace(record, static_cast<std::uint8_t>(places.size())).first;
-                    palette.table.push_back(record);
-                }
-                palette.fits = found != places.end();
-                if (palette.fits)
-                    palette.index(x, y) = found->second;
-                else {  // begin again, cell by cell
-                    palette.cells = Raster<SoilRecord>(width, height);
-                    y = -1;
-                    break;
-                }
-            } else {
-                palette.cells(x, y) = record;
-            }
-        }
-    }
-    return palette;
 }
 
 // Loads added up over the window that holds them all.
@@ -125,8 +84,6 @@ SummedLoad summed(std::span<const Load> loads, const CellWindow& extent) {
 void check_by_deformer(const Heightfield& base, const SoilField& soil,
                        const DeformerOptions& options) {
     check(options);
-    if (options.reading == Reading::Literal)
-        fail<InvalidOption>("reading is literal, the graphics device runs the sound form alone");
     const Deformer checked(base, soil, options);
 }
 
@@ -138,11 +95,12 @@ struct GpuDeformer::State {
     DeformerOptions options;
     SoundRule rule;
     int width, height;
+    bool literal;  // `moved` then holds base and displacement as one height, as Deformer does
     bool palette = true;
     GlTexture base_heights, soils, loads;
     std::array<GlTexture, 2> moved;
     GlBuffer table, report;
-    ShaderProgram tiles, under_loads;
+    ShaderProgram tiles, under_loads, literal_cells;
     int now = 0;  // which of `moved` holds the displacements
 
     State(GlContext& ctx, const Heightfield& ground, const SoilField& soil,
@@ -150,7 +108,10 @@ struct GpuDeformer::State {
     ~State() { context.make_current(); }
 
     void load_soils(const SoilField& soil, bool weighted);
+    void load_programs(bool weighted);
     void set_rule(const ShaderProgram& program) const;
+    void set_literal_rule() const;
+    void step_loaded(const ShaderProgram& program, const SummedLoad& load);
     void bind() const;
     void dispatch(const ShaderProgram& program);
     DeformerReport run(std::span<const Load> given, float& greatest_move);
@@ -164,12 +125,13 @@ GpuDeformer::State::State(GlContext& ctx, const Heightfield& ground, const SoilF
       options(wanted),
       rule(sound_rule(ground, wanted)),
       width(ground.heights.width()),
-      height(ground.heights.height()) {
+      height(ground.heights.height()),
+      literal(wanted.reading == Reading::Literal) {
     const int limit = context.max_texture_size();
     if (width > limit || height > limit)
         fail<InvalidInput>("the ground has ", width, " x ", height, " cells, ", context.device(),
                            " steps at most ", limit, " x ", limit);
-    const bool weighted = options.slide != Slide::Excess;
+    const bool weighted = literal || options.slide != Slide::Excess;
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     base_heights = plane(width, height, GL_R32F);
     glTextureSubImage2D(base_heights.id(), 0, 0, 0, width, height, GL_RED, GL_FLOAT,
@@ -178,21 +140,34 @@ GpuDeformer::State::State(GlContext& ctx, const Heightfield& ground, const SoilF
     for (GlTexture& texture : moved) {
         texture = plane(width, height, GL_R32F);
         glClearTexImage(texture.id(), 0, GL_RED, GL_FLOAT, &zero);
+        if (literal)
+            glTextureSubImage2D(texture.id(), 0, 0, 0, width, height, GL_RED, GL_FLOAT,
+                                ground.heights.data());
     }
     report = GlBuffer(0U);
     glNamedBufferStorage(report.id(), sizeof(DeviceReport), nullptr, GL_DYNAMIC_STORAGE_BIT);
     load_soils(soil, weighted);
+    load_programs(weighted);
+    check_gl("loading the deformer");
+}
+
+void GpuDeformer::State::load_programs(bool weighted) {
     const DeformerShaderForm form{weighted, palette};
+    if (literal) {
+        literal_cells =
+            ShaderProgram("the literal deformer", {{ShaderStage::Compute, literal_glsl(form)}});
+        set_literal_rule();
+        return;
+    }
     tiles = ShaderProgram("the deformer", {{ShaderStage::Compute, sound_tiles_glsl(form)}});
     under_loads =
         ShaderProgram("the deformer's loads", {{ShaderStage::Compute, sound_loads_glsl(form)}});
     set_rule(tiles);
     set_rule(under_loads);
-    check_gl("loading the deformer");
 }
 
 void GpuDeformer::State::load_soils(const SoilField& soil, bool weighted) {
-    const Palette found = palette_of(soil, width, height, weighted);
+    const SoilPalette found = soil_palette(soil, width, height, weighted);
     palette = found.fits;
     soils = plane(width, height, palette ? GL_R8UI : GL_RGBA32F);
     if (palette) {
@@ -218,6 +193,18 @@ void GpuDeformer::State::set_rule(const ShaderProgram& program) const {
     program.set("zero_border", rule.border == Border::Zero ? 1 : 0);
 }
 
+void GpuDeformer::State::set_literal_rule() const {
+    const LiteralRule wanted = literal_rule(base, options);
+    const ShaderProgram& program = literal_cells;
+    program.set("time_step", wanted.time_step);
+    program.set("to_grid", wanted.steps * wanted.steps / wanted.cell_size);
+    program.set("push_scale",
+                (wanted.plus_sign ? 1.0F : -1.0F) * (wanted.half ? 0.5F : 1.0F) * wanted.cell_size);
+    program.set("clamp_weights", wanted.clamp_weights ? 1 : 0);
+    program.set("chain_rule", wanted.terms == LiteralTerms::ChainRule ? 1 : 0);
+    program.set("zero_border", wanted.border == Border::Zero ? 1 : 0);
+}
+
 void GpuDeformer::State::bind() const {
     glBindTextureUnit(0, base_heights.id());
     glBindTextureUnit(2, soils.id());
@@ -237,27 +224,32 @@ void GpuDeformer::State::dispatch(const ShaderProgram& program) {
     now = 1 - now;
 }
 
+// Every iteration is a dispatch of its own.
+void GpuDeformer::State::step_loaded(const ShaderProgram& program, const SummedLoad& load) {
+    const CellWindow& w = load.window;
+    loads = plane(std::max(1, w.width), std::max(1, w.height), GL_RGB32F);
+    if (!w.empty())
+        glTextureSubImage2D(loads.id(), 0, 0, 0, w.width, w.height, GL_RGB, GL_FLOAT,
+                            load.cells.data());
+    glBindTextureUnit(3, loads.id());
+    program.set("load_window", glm::ivec4(w.x, w.y, w.width, w.height));
+    for (int k = 0; k < options.iterations; ++k)
+        dispatch(program);
+}
+
 DeformerReport GpuDeformer::State::run(std::span<const Load> given, float& greatest_move) {
     const SummedLoad load = summed(given, extent());
     context.make_current();
     DeviceReport zero;
     glNamedBufferSubData(report.id(), 0, sizeof zero, &zero);
     bind();
-    if (load.window.empty()) {
+    if (load.window.empty() && !literal) {
         for (int left = options.iterations; left > 0; left -= kMostIterations) {
             tiles.set("iterations", std::min(left, kMostIterations));
             dispatch(tiles);
         }
     } else {
-        loads = plane(load.window.width, load.window.height, GL_RGB32F);
-        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-        glTextureSubImage2D(loads.id(), 0, 0, 0, load.window.width, load.window.height, GL_RGB,
-                            GL_FLOAT, load.cells.data());
-        glBindTextureUnit(3, loads.id());
-        under_loads.set("load_window", glm::ivec4(load.window.x, load.window.y, load.window.width,
-                                                  load.window.height));
-        for (int k = 0; k < options.iterations; ++k)
-            dispatch(under_loads);
+        step_loaded(literal ? literal_cells : under_loads, load);
     }
     DeviceReport got;
     glGetNamedBufferSubData(report.id(), 0, sizeof got, &got);
@@ -298,6 +290,22 @@ DeformerReport GpuDeformer::settle(int max_frames, double tolerance_m) {
     return report;
 }
 
+void GpuDeformer::replace_displacement(const FloatRaster& displacement) {
+    State& s = *state_;
+    check_displacement(displacement, s.width, s.height);
+    FloatRaster held = displacement;
+    if (s.literal)
+        std::transform(held.begin(), held.end(), s.base.heights.begin(), held.begin(),
+                       [](float u, float b) { return b + u; });
+    else
+        round_to_quanta(held, s.rule.quantum);
+    s.context.make_current();
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTextureSubImage2D(s.moved[static_cast<std::size_t>(s.now)].id(), 0, 0, 0, s.width, s.height,
+                        GL_RED, GL_FLOAT, held.data());
+    check_gl("writing displacements");
+}
+
 FloatRaster GpuDeformer::displacement(const CellWindow& window) const {
     if (window.width < 0 || window.height < 0 ||
         (!window.empty() && intersection(window, extent()) != window))
@@ -313,6 +321,9 @@ FloatRaster GpuDeformer::displacement(const CellWindow& window) const {
                          window.y, 0, window.width, window.height, 1, GL_RED, GL_FLOAT,
                          static_cast<GLsizei>(result.size() * sizeof(float)), result.data());
     check_gl("reading displacements");
+    for (int y = 0; y < window.height && state_->literal; ++y)
+        for (int x = 0; x < window.width; ++x)
+            result(x, y) -= state_->base.heights(window.x + x, window.y + y);
     return result;
 }
 

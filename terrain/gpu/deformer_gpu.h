@@ -8,7 +8,7 @@
 
 namespace scree::terrain {
 
-/// The sound form of Deformer as compute shaders (`rocks-and-deformer.md` C.5, C.8, C.9).
+/// Deformer as compute shaders (`rocks-and-deformer.md` C.5, C.8, C.9).
 ///
 /// Frames without loads run in tiles of 16 x 16 cells with a halo as wide as the iterations, up to
 /// four of them in one dispatch; under loads every iteration is a dispatch of its own between two
@@ -18,12 +18,14 @@ namespace scree::terrain {
 /// The arithmetic is Deformer's, operation by operation, and what moves is a whole number of its
 /// quanta: devices that divide exactly, llvmpipe among them, give its very displacements. Others
 /// may round a quotient differently, which shifts single quanta of 2^-18 cell sizes an iteration.
+/// The literal reading is a dispatch an iteration; there is nothing whole in it, so devices that
+/// round differently drift apart by rounding.
 /// Threads: as GlContext.
 class GpuDeformer {
 public:
     /// @param context  Must outlive the deformer.
     /// @param base     Must outlive the deformer; never written.
-    /// @throw InvalidOption  as Deformer, and for the literal reading, which it does not offer.
+    /// @throw InvalidOption  as Deformer.
     /// @throw InvalidInput   as Deformer, and for a ground wider than the device's textures.
     /// @throw DeviceError    the device has not enough memory.
     GpuDeformer(GlContext& context, const Heightfield& base, const SoilField& soil,
@@ -36,6 +38,9 @@ public:
     DeformerReport step(std::span<const Load> loads);
     /// As Deformer::settle().
     DeformerReport settle(int max_frames, double tolerance_m = 1e-6);
+
+    /// As Deformer::replace_displacement().
+    void replace_displacement(const FloatRaster& displacement);
 
     FloatRaster displacement(const CellWindow& window) const;
     FloatRaster heights(const CellWindow& window) const;

@@ -264,6 +264,84 @@ void main() {
 }
 )glsl";
 
+// (4.10) with (4.9) or (4.13), operation by operation as terrain/grid/literal_terms.h has it: here
+// `moved_heights` are base and displacement as one height.
+constexpr const char* kLiteral = R"glsl(
+layout(binding = 3) uniform sampler2D loads;  // force x, force z
+uniform ivec4 load_window;
+uniform float to_grid;
+uniform float push_scale;     // sign, 1/2 and cell size
+uniform int clamp_weights;
+uniform int chain_rule;
+
+ivec2 held(ivec2 c) { return clamp(c, ivec2(0), extent() - 1); }
+float height_at(ivec2 c) { return texelFetch(moved_heights, held(c), 0).r; }
+
+float force_at(ivec2 c, ivec2 axis) {
+    if (!inside(c) || any(lessThan(c, load_window.xy)) ||
+        any(greaterThanEqual(c, load_window.xy + load_window.zw)))
+        return 0.0;
+    vec2 force = texelFetch(loads, c - load_window.xy, 0).rg;
+    return axis.x != 0 ? force.x : force.y;
+}
+
+float arctangent_of_root(float a) {
+    precise float z = min(a, 1.0 / max(a, 1.0));
+    precise float sum = 0.00764835393;
+    sum = sum * z - 0.0363604309;
+    sum = sum * z + 0.083126453;
+    sum = sum * z - 0.134478641;
+    sum = sum * z + 0.198720403;
+    sum = sum * z - 0.33325678;
+    precise float angle = (sum * z + 0.999999226) * sqrt(z);
+    precise float steep_angle = 1.57079633 - angle;
+    return a > 1.0 ? steep_angle : angle;
+}
+
+float push(float before, float after, float mobility) {
+    precise float amount = push_scale * (mobility * (after - before));
+    return amount;
+}
+
+float term(ivec2 c, ivec2 axis) {
+    float here = height_at(c);
+    vec4 soil = soil_of(c);
+    precise float diffused = soil.y * ((height_at(c - axis) + height_at(c + axis)) - 2.0 * here);
+    precise float sum = diffused + push(force_at(c - axis, axis), force_at(c + axis, axis), soil.z);
+    if (chain_rule != 0) {
+        vec4 after = soil_of(held(c + axis));
+        precise float crossed = (height_at(c + axis) - here) * (after.y - soil.y);
+        sum += crossed;
+        sum += push(soil_of(held(c - axis)).z, after.z, force_at(c, axis));
+    }
+    return sum;
+}
+
+float weighted(float one, float repose, float per_room) {
+    precise float weight = (arctangent_of_root(abs(one) * to_grid) - repose) * per_room;
+    precise float product = (clamp_weights != 0 ? min(max(weight, 0.0), 1.0) : weight) * one;
+    return product;
+}
+
+void main() {
+    ivec2 c = ivec2(gl_GlobalInvocationID.xy);
+    float move = 0.0;
+    if (inside(c)) {
+        float repose = soil_of(c).x;
+        precise float per_room = 1.0 / max(1.57079633 - repose, 1e-6);
+        precise float sum = weighted(term(c, ivec2(1, 0)), repose, per_room) +
+                            weighted(term(c, ivec2(0, 1)), repose, per_room);
+        float before = height_at(c);
+        precise float next = before + time_step * sum;
+        if (stays(c))
+            next = texelFetch(base_heights, c, 0).r;  // (4.7)
+        imageStore(moved_next, c, vec4(next));
+        move = abs(next - before);
+    }
+    note_move(move);
+}
+)glsl";
+
 std::string header(const DeformerShaderForm& form) {
     std::string text = "#version 450 core\n";
     if (form.weighted)
@@ -281,6 +359,10 @@ std::string sound_tiles_glsl(const DeformerShaderForm& form) {
 
 std::string sound_loads_glsl(const DeformerShaderForm& form) {
     return header(form) + kShared + kLoads;
+}
+
+std::string literal_glsl(const DeformerShaderForm& form) {
+    return header(form) + kShared + kLiteral;
 }
 
 }  // namespace scree::terrain

@@ -14,5 +14,7 @@ struct DeformerShaderForm {
 std::string sound_tiles_glsl(const DeformerShaderForm& form);
 /// One iteration under loads.
 std::string sound_loads_glsl(const DeformerShaderForm& form);
+/// One iteration of the published scheme, loads or not; heights instead of displacements.
+std::string literal_glsl(const DeformerShaderForm& form);
 
 }  // namespace scree::terrain

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "terrain/grid/literal_ground.h"
 #include "terrain/grid/sound_ground.h"
+#include "terrain/grid/whole_quanta.h"
 
 #include <cmath>
 
@@ -83,6 +84,14 @@ DeformerReport Deformer::settle(int max_frames, double tolerance_m) {
             break;
     }
     return report;
+}
+
+void Deformer::replace_displacement(const FloatRaster& displacement) {
+    check_displacement(displacement, extent().width, extent().height);
+    if (state_->sound)
+        state_->sound->replace(displacement);
+    else
+        state_->literal->replace(displacement);
 }
 
 FloatRaster Deformer::displacement(const CellWindow& window) const {

@@ -77,15 +77,13 @@ struct DeformerReport {
 };
 
 /// A ground that answers loads: base heights that never change, and a dynamic height map of
-/// displacements over them (`rocks-and-deformer.md` C.6 to C.9).
-///
-/// Displacement is held in tiles that exist only where something moved; a frame costs what its
-/// active tiles cost. The result is the same bytes for any number of threads.
+/// displacements over them (`rocks-and-deformer.md` C.6 to C.9), in tiles that exist only where
+/// something moved. A frame costs what its active tiles cost; any number of threads gives the same.
 class Deformer {
 public:
     /// @param base  Must outlive the deformer; never written.
-    /// @throw InvalidOption  a value is out of range, or the explicit step is beyond its stability
-    ///                       bound D * dt <= 1/4 (1/8 for Gain): the message names the largest D.
+    /// @throw InvalidOption  a value is out of range, or the explicit step is beyond its bound
+    ///                       D * dt <= 1/4 (1/8 for Gain): the message names the largest D.
     /// @throw InvalidInput   the base is no valid heightfield.
     Deformer(const Heightfield& base, const SoilField& soil, const DeformerOptions& options = {});
     ~Deformer();
@@ -97,12 +95,14 @@ public:
 
     /// Frames without loads until nothing moves by more than `tolerance_m`, or `max_frames`.
     DeformerReport settle(int max_frames, double tolerance_m = 1e-6);
+    /// New displacements for the whole grid, as settle_to_rest() gives them; the sound form rounds
+    /// them by round_to_quanta(). @throw InvalidInput  as check_displacement().
+    void replace_displacement(const FloatRaster& displacement);
 
     /// Displacement of a window, metres; zero where nothing moved.
     FloatRaster displacement(const CellWindow& window) const;
     /// Base plus displacement of a window, metres.
     FloatRaster heights(const CellWindow& window) const;
-    /// The whole grid.
     CellWindow extent() const;
     double cell_size() const;
 

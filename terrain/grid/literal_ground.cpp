@@ -232,6 +232,17 @@ void LiteralGround::copy_rim_rows(RimmedRows& heights) const {
     std::copy_n(heights.row(height_ - 1) - 1, width_ + 2, heights.row(height_) - 1);
 }
 
+void LiteralGround::replace(const FloatRaster& displacement) {
+    for (int y = 0; y < height_; ++y) {
+        float* row = heights_.row(y);
+        for (int x = 0; x < width_; ++x)
+            row[x] = base_->heights(x, y) + displacement(x, y);
+        row[-1] = row[0];
+        row[width_] = row[width_ - 1];
+    }
+    copy_rim_rows(heights_);
+}
+
 void LiteralGround::read_displacement(const CellWindow& window, FloatRaster& out) const {
     for (int y = 0; y < window.height; ++y) {
         const float* base = base_->heights.row(window.y + y) + window.x;

@@ -43,6 +43,9 @@ public:
     /// @param moved  If given: upper bound of what a cell moved in the frame, metres.
     DeformerReport step(std::span<const Load> loads, float* moved = nullptr);
 
+    /// New displacements for the whole ground.
+    void replace(const FloatRaster& displacement);
+
     void read_displacement(const CellWindow& window, FloatRaster& out) const;
     /// Sum of the displacements.
     double sum() const;

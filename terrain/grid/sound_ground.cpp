@@ -1,6 +1,7 @@
 #include "terrain/grid/sound_ground.h"
 
 #include "base/parallel.h"
+#include "terrain/grid/whole_quanta.h"
 
 #include <algorithm>
 #include <cmath>
@@ -253,6 +254,25 @@ void SoundGround::commit(DeformerReport& report, float* moved) {
     if (moved)
         *moved += greatest;
     work_.clear();
+}
+
+void SoundGround::replace(FloatRaster displacement) {
+    round_to_quanta(displacement, rule_.quantum);
+    for (int tile = 0; tile < store_.n_tiles(); ++tile) {
+        const CellWindow cells = store_.cells(tile);
+        const CellWindow inside = intersection(cells, store_.extent());
+        FloatBlock block = store_.take();
+        std::fill_n(block.get(), kTileWidth * kTileHeight, 0.0F);
+        for (int y = 0; y < inside.height; ++y)
+            std::copy_n(displacement.row(inside.y + y) + inside.x, inside.width,
+                        block.get() + y * kTileWidth);
+        if (same_values(store_.values(tile), block.get())) {
+            store_.give(std::move(block));
+            continue;
+        }
+        store_.put(tile, std::move(block));
+        restless_.emplace_back(tile, inside);
+    }
 }
 
 /// Only one thread works on a tile, so it may fill the tile's own slot.

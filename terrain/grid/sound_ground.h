@@ -24,6 +24,9 @@ public:
     /// @param moved  If given: upper bound of what a cell moved in the frame, metres.
     DeformerReport step(std::span<const Load> loads, float* moved = nullptr);
 
+    /// New displacements for the whole ground; every tile that they change is restless.
+    void replace(FloatRaster displacement);
+
     const TileStore& store() const { return store_; }
     std::size_t bytes() const;
 

@@ -11,6 +11,9 @@ public:
         : deformer_(base, soil, options) {}
 
     DeformerReport step(std::span<const Load> loads) override { return deformer_.step(loads); }
+    void replace_displacement(const FloatRaster& displacement) override {
+        deformer_.replace_displacement(displacement);
+    }
     FloatRaster displacement(const CellWindow& window) const override {
         return deformer_.displacement(window);
     }
@@ -31,6 +34,9 @@ public:
         : context_(std::move(context)), deformer_(*context_, base, soil, options) {}
 
     DeformerReport step(std::span<const Load> loads) override { return deformer_.step(loads); }
+    void replace_displacement(const FloatRaster& displacement) override {
+        deformer_.replace_displacement(displacement);
+    }
     FloatRaster displacement(const CellWindow& window) const override {
         return deformer_.displacement(window);
     }
@@ -56,8 +62,6 @@ SolverChoice make_solver(const Heightfield& base, const SoilField& soil,
                          const DeformerOptions& options, Device device) {
     if (device == Device::Cpu)
         return on_cpu(base, soil, options, "as asked");
-    if (options.reading == Reading::Literal && device == Device::Auto)
-        return on_cpu(base, soil, options, "the literal form runs nowhere else");
     GlContext::Attempt attempt = GlContext::try_make();
     if (attempt.context == nullptr) {
         if (device == Device::Gpu)

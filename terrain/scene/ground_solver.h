@@ -26,6 +26,8 @@ class GroundSolver {
 public:
     virtual ~GroundSolver() = default;
     virtual DeformerReport step(std::span<const Load> loads) = 0;
+    /// As Deformer::replace_displacement().
+    virtual void replace_displacement(const FloatRaster& displacement) = 0;
     virtual FloatRaster displacement(const CellWindow& window) const = 0;
     virtual FloatRaster heights(const CellWindow& window) const = 0;
     /// Of the whole ground, cubic metres.

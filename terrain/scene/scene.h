@@ -63,7 +63,6 @@ struct MaterialRegion {
 struct MeshFile {
     std::filesystem::path file;
 };
-
 using ObjectShape = std::variant<SphereShape, BoxShape, TyreShape, BootShape, MeshFile>;
 
 /// One thing that moves over the ground.
@@ -79,8 +78,7 @@ struct SceneObject {
 
 /// Where the pictures are taken from.
 struct SceneCamera {
-    double azimuth_deg = 25.0, elevation_deg = 35.0;
-    double field_of_view_deg = 32.0;
+    double azimuth_deg = 25.0, elevation_deg = 35.0, field_of_view_deg = 32.0;
     std::optional<glm::dvec3> eye_m, target_m;  ///< Both or none; none sees the whole ground.
     double light_azimuth_deg = -55.0, light_elevation_deg = 32.0;
 };
@@ -107,7 +105,8 @@ struct Scene {
     ContactOptions contact{.yield = 1.0};
     int frames = 100;
     double frame_rate = 25.0;
-    int substeps = 0;  ///< Solver steps in a frame; 0: as many as the fastest object needs.
+    int substeps = 0;     ///< Solver steps in a frame; 0: as many as the fastest object needs.
+    bool settle = false;  ///< Bring the ground to rest when the last frame is over.
     std::uint64_t seed = 1;
     SceneCamera camera;
     SceneOutputs outputs;

@@ -152,6 +152,7 @@ PressingBody SceneBody::pressing() const {
 void SceneBody::note(const BodyContact& contact) {
     deepest_m_ = std::max(deepest_m_, contact.deepest_m);
     most_cells_ = std::max(most_cells_, contact.cells);
+    unspent_n_ = std::max(unspent_n_, contact.unspent_force);
     smaller_than_cell_ = smaller_than_cell_ || contact.smaller_than_cell;
 }
 

@@ -45,6 +45,7 @@ public:
     void note(const BodyContact& contact);
     double deepest_m() const { return deepest_m_; }
     int most_cells() const { return most_cells_; }
+    double unspent_n() const { return unspent_n_; }
     bool ever_smaller_than_cell() const { return smaller_than_cell_; }
 
 private:
@@ -68,6 +69,7 @@ private:
     Pose pose_;
     double deepest_m_ = 0.0;
     int most_cells_ = 0;
+    double unspent_n_ = 0.0;
     bool smaller_than_cell_ = false;
 };
 

@@ -77,6 +77,18 @@ void check_stability(const Scene& scene, const JsonPlace& place) {
     }
 }
 
+// settle_to_rest() finds rest states of the sound form over a closed rim.
+void read_settle(JsonObject& object, Scene& scene) {
+    scene.settle = object.flag("settle", false);
+    if (scene.settle && scene.deformer.reading == Reading::Literal)
+        fail<InvalidInput>(object.at("settle").text(),
+                           " is true, but the literal reading has no rest at its repose; take "
+                           "the sound one");
+    if (scene.settle && scene.deformer.border == Border::Zero)
+        fail<InvalidInput>(object.at("settle").text(),
+                           " is true, but settling closes the rim; take border no-flux");
+}
+
 SceneCamera camera_from(const json& value, const JsonPlace& place) {
     JsonObject object(value, place);
     SceneCamera camera;
@@ -170,6 +182,7 @@ Scene scene_from_json(std::string_view text, const std::string& source, const fs
     read_option_member(object, "deformer", scene.deformer);
     read_option_member(object, "contact", scene.contact);
     check_stability(scene, object.place());
+    read_settle(object, scene);
     if (const json* frames = object.find("frames"))
         scene.frames = integer_of(*frames, object.at("frames"), 1, 100'000);
     scene.frame_rate = object.number("frame_rate", scene.frame_rate, 1e-3, 1e4);

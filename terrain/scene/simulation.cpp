@@ -104,6 +104,7 @@ struct Simulation::State {
     float lowest = 0.0F;
     int frame = 0;
     double compacted_m3 = 0.0;
+    bool lifted = false;  // the objects, for the ground to settle
 };
 
 // Forces of every body on its own window; where windows overlap the solver adds them up.
@@ -111,6 +112,7 @@ void Simulation::State::press(FrameReport& report) {
     Stopwatch watch;
     std::vector<Load> loads;
     report.contact_cells = 0;
+    report.unspent_n = 0.0;
     for (SceneBody& body : bodies) {
         if (!body.present() || body.underside().window.empty())
             continue;
@@ -124,6 +126,7 @@ void Simulation::State::press(FrameReport& report) {
             {&pressing, 1}, {window, &heights, &tile.mobility, grid.cell_size}, scene->contact);
         body.note(contact.bodies[0]);
         report.contact_cells += contact.bodies[0].cells;
+        report.unspent_n += contact.bodies[0].unspent_force;
         if (contact.bodies[0].cells > 0)
             loads.push_back(std::move(contact.load));
     }
@@ -144,6 +147,7 @@ FrameReport Simulation::step() {
     const double frame_s = 1.0 / s.scene->frame_rate;
     const double start_s = s.frame * frame_s;
     FrameReport report;
+    s.lifted = false;
     report.substeps = s.substeps(start_s, start_s + frame_s);
     const double step_s = frame_s / report.substeps;
     for (int i = 0; i < report.substeps; ++i) {
@@ -158,6 +162,19 @@ FrameReport Simulation::step() {
     }
     s.compacted_m3 += report.compacted_m3;
     ++s.frame;
+    return report;
+}
+
+SettleReport Simulation::settle() {
+    State& s = *state_;
+    if (s.scene->deformer.reading == Reading::Literal || s.scene->deformer.border == Border::Zero)
+        fail<InvalidInput>(s.scene->source,
+                           ": only the sound reading with border no-flux comes to rest");
+    FloatRaster moved = s.chosen.solver->displacement(s.grid.extent);
+    const SettleReport report =
+        settle_to_rest(moved, s.base, s.soil, {.keep_base = s.scene->deformer.keep_base});
+    s.chosen.solver->replace_displacement(moved);
+    s.lifted = true;
     return report;
 }
 
@@ -188,14 +205,15 @@ CellWindow Simulation::extent() const {
 std::vector<PlacedObject> Simulation::objects() const {
     std::vector<PlacedObject> out;
     for (const SceneBody& body : state_->bodies)
-        out.push_back({&body.object(), &body.mesh(), body.world_from_mesh(), body.present()});
+        out.push_back({&body.object(), &body.mesh(), body.world_from_mesh(),
+                       body.present() && !state_->lifted});
     return out;
 }
 
 std::vector<ObjectReport> Simulation::object_reports() const {
     std::vector<ObjectReport> out;
     for (const SceneBody& body : state_->bodies)
-        out.push_back({body.object().name, body.deepest_m(), body.most_cells(),
+        out.push_back({body.object().name, body.deepest_m(), body.most_cells(), body.unspent_n(),
                        body.ever_smaller_than_cell()});
     return out;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "terrain/grid/heightfield.h"
+#include "terrain/grid/settle.h"
 #include "terrain/grid/soil_field.h"
 #include "terrain/material/description_map.h"
 #include "terrain/scene/ground_solver.h"
@@ -30,6 +31,7 @@ struct FrameReport {
     double contact_ms = 0.0;  ///< Heights below objects, forces.
     double step_ms = 0.0;     ///< The ground's answer.
     int contact_cells = 0;    ///< Of the last substep, all objects.
+    double unspent_n = 0.0;   ///< Force that passed the yield in it, newtons.
     int tiles = 0;            ///< Active tiles of the last substep.
     double compacted_m3 = 0.0;
 };
@@ -39,6 +41,7 @@ struct ObjectReport {
     std::string name;
     double deepest_m = 0.0;
     int most_cells = 0;
+    double unspent_n = 0.0;          ///< Greatest force that passed the yield in a step, newtons.
     bool smaller_than_cell = false;  ///< At some time: it left no track then.
 };
 
@@ -80,6 +83,12 @@ public:
 
     /// Run the next frame.
     FrameReport step();
+
+    /// Lift every object off and bring the ground to rest by settle_to_rest(), whatever the scene
+    /// says: no motion in time, so it is for the end of a run.
+    /// @throw InvalidInput  the reading is literal or the border is zero, neither of which rests
+    /// so.
+    SettleReport settle();
 
     int frame() const;  ///< Frames run so far.
     const Heightfield& base() const;

@@ -25,6 +25,8 @@ uniform vec3 reference;
 uniform float per_radius2;
 uniform float amount;
 uniform float slack;          // how far displacement may carry a point, metres
+uniform vec3 eye;
+uniform float far_m;
 uniform mat4 clip_from_world;
 
 // All of a sphere lies beyond one side of the picture.
@@ -42,6 +44,18 @@ bool out_of_view(vec3 centre, float radius) {
     return false;
 }
 
+// Beyond r2 nothing is displaced, so nothing is cut. An edge goes by its own two ends, which both of
+// its patches see alike.
+void leave_far_ground_whole(vec3 p[6], inout vec4 factors) {
+    bvec3 beyond = bvec3(distance(eye, p[0]) > far_m, distance(eye, p[1]) > far_m,
+                         distance(eye, p[2]) > far_m);
+    for (int edge = 0; edge < 3; ++edge)
+        if (beyond[(edge + 1) % 3] && beyond[(edge + 2) % 3])
+            factors[edge] = 1.0;
+    if (all(beyond))
+        factors.w = 1.0;
+}
+
 void main() {
     corner_place[gl_InvocationID] = lattice_point[gl_InvocationID].xz;
     if (gl_InvocationID != 0)
@@ -49,6 +63,7 @@ void main() {
     vec3 p[6] = vec3[6](lattice_point[0], lattice_point[1], lattice_point[2], lattice_point[3],
                         lattice_point[4], lattice_point[5]);
     vec4 factors = patch_factors(p, reference, per_radius2, amount);
+    leave_far_ground_whole(p, factors);
     vec3 centre = (p[0] + p[1] + p[2]) / 3.0;
     float reach = slack + max(distance(centre, p[0]), max(distance(centre, p[1]), distance(centre, p[2])));
     if (out_of_view(centre, reach))
@@ -66,6 +81,7 @@ in vec2 corner_place[];
 
 uniform mat4 clip_from_world;
 uniform vec3 eye;
+uniform float near_m;
 uniform float far_m;
 uniform float lattice_step;
 uniform float detail_texels;  // side of the detail pictures
@@ -80,16 +96,16 @@ float part_length(vec3 place) {
     return lattice_step / clamp(tessellation_weight(place, place, place, reference, per_radius2) * amount + 1.0, 1.0, 64.0);
 }
 
-float detail_height(vec2 at, float part_length) {
-    Blend blend = corner_blend(at);
+// Where rocks are meshes, the picture of their heights is not raised too.
+float detail_height(vec2 at, float part_length, float as_meshes) {
+    ScreeBlend blend = scree_blend(torn(at));
     float height = 0.0;
-    for (int i = 0; i < 4; ++i) {
-        if (blend.weight[i] <= 0.0)
+    for (int i = 0; i < SCREE_SHARES; ++i) {
+        if (blend.weights[i] <= 0.0)
             continue;
-        Look look = looks[blend.layer[i]];
-        float lod = log2(max(1.0, part_length * look.measure.x * detail_texels));
-        float sampled = textureLod(detail, vec3(at * look.measure.x, float(blend.layer[i])), lod).b;
-        height += blend.weight[i] * look.measure.y * (sampled - 0.5);
+        float lod = log2(max(1.0, part_length * detail_texels / SCREE_SIZE[blend.slots[i]]));
+        float raised = 1.0 - as_meshes * looks[blend.slots[i]].kind.x;
+        height += blend.weights[i] * raised * scree_displacement_of(blend.slots[i], at, lod);
     }
     return height;
 }
@@ -104,10 +120,12 @@ void main() {
     // At the rim the ground meets its sides, which have no detail.
     vec2 inside = min(uv, 1.0 - uv) / per_ground_size;
     float rim = smoothstep(0.0, 1.0, min(inside.x, inside.y) / (0.5 * lattice_step));
+    float as_meshes = range_share(distance(eye, place), near_m);
     float near = range_share(distance(eye, place), far_m);
     float height = base;
     if (near > 0.0)
-        height += near * (textureLod(moved_heights, uv, 0.0).r + rim * detail_height(at, part_length(place)));
+        height += near * (textureLod(moved_heights, uv, 0.0).r +
+                          rim * detail_height(at, part_length(place), as_meshes));
     gl_Position = clip_from_world * vec4(at.x, height, at.y, 1.0);
 }
 )glsl";
@@ -122,10 +140,10 @@ std::string ground_control_glsl() {
     return kVersion + std::string(tessellation_glsl()) + kControl;
 }
 
-std::string ground_evaluation_glsl() {
+std::string ground_evaluation_glsl(const GroundShaders& made) {
     return kVersion + std::string(ranges_glsl()) + std::string(tessellation_glsl()) +
-           std::string(noise_glsl()) + std::string(heights_glsl()) + std::string(looks_glsl()) +
-           kEvaluation;
+           std::string(noise_glsl()) + std::string(heights_glsl()) + made.evaluation_functions +
+           std::string(looks_glsl()) + kEvaluation;
 }
 
 }  // namespace scree::terrain

@@ -7,8 +7,10 @@
 #include <array>
 #include <cmath>
 #include <epoxy/gl.h>
+#include <string>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace scree::terrain {
@@ -54,15 +56,20 @@ GlTexture plane(int width, int height, GLenum format, GLint filter) {
     return texture;
 }
 
-GlTexture repeating_layers(const std::vector<std::uint8_t>& bytes, int side, int n_layers,
-                           GLenum format) {
+// What the texels of an array are, on the device and in memory.
+struct Texels {
+    GLenum stored, format, type;
+};
+
+GlTexture repeating_layers(const void* texels, int side, int n_layers, const Texels& form) {
     int n_levels = 1;
     while ((side >> n_levels) > 0)
         ++n_levels;
     GlTexture texture(GL_TEXTURE_2D_ARRAY);
-    glTextureStorage3D(texture.id(), n_levels, format, side, side, n_layers);
-    glTextureSubImage3D(texture.id(), 0, 0, 0, 0, side, side, n_layers, GL_RGBA, GL_UNSIGNED_BYTE,
-                        bytes.data());
+    glTextureStorage3D(texture.id(), n_levels, form.stored, side, side, std::max(1, n_layers));
+    if (n_layers > 0)
+        glTextureSubImage3D(texture.id(), 0, 0, 0, 0, side, side, n_layers, form.format, form.type,
+                            texels);
     glGenerateTextureMipmap(texture.id());
     glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glTextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -71,27 +78,40 @@ GlTexture repeating_layers(const std::vector<std::uint8_t>& bytes, int side, int
     return texture;
 }
 
-// The place of every id's material in the table.
-Raster<std::uint8_t> layers_of(const DescriptionMap& map) {
-    std::array<int, 256> place{};
-    place.fill(-1);
-    for (std::size_t i = 0; i < map.materials.size(); ++i) {
-        const int id = map.materials[i].id;
-        if (id < 0 || id > 255)
-            fail<InvalidInput>("material ", map.materials[i].name, " has id ", id,
+void check_ids(const DescriptionMap& map) {
+    std::array<bool, 256> known{};
+    for (const Material& material : map.materials) {
+        if (material.id < 0 || material.id > 255)
+            fail<InvalidInput>("material ", material.name, " has id ", material.id,
                                ", it must be in [0, 255]");
-        place[static_cast<std::size_t>(id)] = static_cast<int>(i);
+        known[static_cast<std::size_t>(material.id)] = true;
     }
-    Raster<std::uint8_t> layers(map.ids.width(), map.ids.height());
-    for (int y = 0; y < layers.height(); ++y)
-        for (int x = 0; x < layers.width(); ++x) {
-            const int at = place[map.ids(x, y)];
-            if (at < 0)
+    for (int y = 0; y < map.ids.height(); ++y)
+        for (int x = 0; x < map.ids.width(); ++x)
+            if (!known[map.ids(x, y)])
                 fail<InvalidInput>("map cell (", x, ", ", y, ") has id ", int{map.ids(x, y)},
                                    ", no material has it");
-            layers(x, y) = static_cast<std::uint8_t>(at);
+}
+
+// The map's table with the looks in the place of its textures: what the blend is made for.
+std::vector<Material> shown_materials(const DescriptionMap* map,
+                                      const std::vector<MaterialLook>& looks) {
+    std::vector<Material> shown(
+        std::max<std::size_t>(1, map != nullptr ? map->materials.size() : 0));
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        const MaterialLook& look = looks[i];
+        Material& one = shown[i];
+        one.name = "look " + std::to_string(i);
+        if (map != nullptr && i < map->materials.size()) {
+            one.id = map->materials[i].id;
+            one.hat = map->materials[i].hat;
         }
-    return layers;
+        one.textures.albedo = look.albedo.empty() ? "" : "albedo";
+        one.textures.displacement = look.displacement.empty() ? "" : "displacement";
+        one.textures.size_m = look.size_m;
+        one.colour = glm::u8vec3(glm::round(glm::clamp(look.colour, 0.0F, 1.0F) * 255.0F));
+    }
+    return shown;
 }
 
 }  // namespace
@@ -139,17 +159,16 @@ void GroundTextures::load_map(const GlContext& context, const TerrainGround& gro
         if (!(ground.map->cell_size > 0.0))
             fail<InvalidInput>("the description map's cell size is ", ground.map->cell_size,
                                " m, it must be positive");
-        ids = layers_of(*ground.map);
+        check_ids(*ground.map);
+        ids = ground.map->ids;
         map_cells_per_m_ = static_cast<float>(1.0 / ground.map->cell_size);
     }
     const int limit = context.max_texture_size();
     if (ids.width() > limit || ids.height() > limit)
         fail<InvalidInput>("the description map has ", ids.width(), " x ", ids.height(), " cells, ",
                            context.device(), " holds at most ", limit, " x ", limit);
-    map_width_ = ids.width();
-    map_height_ = ids.height();
-    layers_ = plane(map_width_, map_height_, GL_R8UI, GL_NEAREST);
-    glTextureSubImage2D(layers_.id(), 0, 0, 0, map_width_, map_height_, GL_RED_INTEGER,
+    ids_ = plane(ids.width(), ids.height(), GL_R8UI, GL_NEAREST);
+    glTextureSubImage2D(ids_.id(), 0, 0, 0, ids.width(), ids.height(), GL_RED_INTEGER,
                         GL_UNSIGNED_BYTE, ids.data());
 }
 
@@ -165,11 +184,22 @@ void GroundTextures::load_looks(const GlContext& context, const TerrainGround& g
     if (looks.size() > static_cast<std::size_t>(context.max_texture_layers()))
         fail<InvalidInput>("there are ", looks.size(), " looks, ", context.device(),
                            " holds at most ", context.max_texture_layers());
-    const LookLayers layers = make_look_layers(looks);
-    const int n = static_cast<int>(looks.size());
+    LookLayers layers = make_look_layers({looks.data(), n_wanted});
+    const std::vector<Material> shown = shown_materials(ground.map, looks);
+    shaders_ =
+        ground_shaders(shown, 1.0 / double{map_cells_per_m_}, {.binding = TextureBinding::Layers});
     side_ = layers.side;
-    albedo_ = repeating_layers(layers.albedo, side_, n, GL_SRGB8_ALPHA8);
-    detail_ = repeating_layers(layers.detail, side_, n, GL_RGBA8);
+    albedo_ =
+        repeating_layers(layers.albedo.data(), side_, static_cast<int>(shaders_.albedo.size()),
+                         {GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE});
+    detail_ = repeating_layers(layers.detail.data(), side_, static_cast<int>(n_wanted),
+                               {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE});
+    relief_ = repeating_layers(layers.relief.data(), side_,
+                               static_cast<int>(shaders_.displacement.size()),
+                               {GL_R16F, GL_RED, GL_FLOAT});
+    for (std::size_t i = 0; i < n_wanted && !ground.rocks.places.empty(); ++i)
+        layers.records[i].kind.x =
+            ground.map == nullptr || ground.map->materials[i].gravel ? 1.0F : 0.0F;
     looks_ = GlBuffer(0U);
     glNamedBufferStorage(looks_.id(),
                          static_cast<GLsizeiptr>(layers.records.size() * sizeof(LookRecord)),
@@ -260,19 +290,24 @@ float GroundTextures::base_height(float x, float z) const {
 }
 
 void GroundTextures::bind() const {
-    const std::array<const GlTexture*, 7> units{&base_,   &moved_,  &surface_, &sun_reach_,
-                                                &layers_, &albedo_, &detail_};
+    const std::array<const GlTexture*, 7> units{&base_, &moved_,  &surface_, &sun_reach_,
+                                                &ids_,  &albedo_, &detail_};
     for (std::size_t i = 0; i < units.size(); ++i)
         glBindTextureUnit(static_cast<GLuint>(i), units[i]->id());
+    glBindTextureUnit(kReliefUnit, relief_.id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, looks_.id());
+}
+
+void GroundTextures::set_samplers(const ShaderProgram& program) {
+    program.set("scree_ids", int{kIdUnit});
+    program.set("scree_albedo", int{kAlbedoUnit});
+    program.set("scree_displacement", int{kReliefUnit});
 }
 
 void GroundTextures::set_uniforms(const ShaderProgram& program) const {
     program.set("ground_origin", origin_);
     program.set("per_ground_size", 1.0F / size_);
     program.set("cell_size", cell_size_);
-    program.set("map_cells_per_m", map_cells_per_m_);
-    program.set("map_size", glm::ivec2(map_width_, map_height_));
     program.set("detail_texels", static_cast<float>(side_));
     program.set("patch_size", 0.13F * std::max(size_.x, size_.y));
 }

@@ -2,6 +2,7 @@
 
 #include "terrain/gpu/gl_objects.h"
 #include "terrain/gpu/shader_program.h"
+#include "terrain/material/shader_templates.h"
 #include "terrain/view/terrain_frame.h"
 
 #include <glm/vec2.hpp>
@@ -20,6 +21,11 @@ public:
     void update(const FloatRaster& displacement, const CellWindow& changed);
     /// Bring slopes, open sky and sunlight up to date.
     void finish(const glm::vec3& sun_direction);
+
+    /// The functions that blend the map's looks, with layers; a program that has them needs
+    /// set_samplers() once.
+    const GroundShaders& shaders() const { return shaders_; }
+    static void set_samplers(const ShaderProgram& program);
 
     /// Bind all textures and the looks' buffer to their units.
     void bind() const;
@@ -49,13 +55,13 @@ private:
     float base_lowest_ = 0.0F, base_highest_ = 0.0F, lowest_ = 0.0F, highest_ = 0.0F;
     float detail_reach_ = 0.0F;
     float map_cells_per_m_ = 1.0F;
-    int map_width_ = 1, map_height_ = 1;
     int side_ = 1;
     glm::vec3 sun_{0.0F};
     CellWindow dirty_;  // in cells of the window
 
-    GlTexture base_, moved_, surface_, sun_reach_, layers_, albedo_, detail_;
+    GlTexture base_, moved_, surface_, sun_reach_, ids_, albedo_, detail_, relief_;
     GlBuffer looks_;
+    GroundShaders shaders_;
     ShaderProgram surface_program_, sun_program_;
 };
 

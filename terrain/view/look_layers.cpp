@@ -112,7 +112,7 @@ glm::vec2 slope_of_normal(const glm::u8vec3& c) {
             (static_cast<float>(c.y) - 128.0F) / 127.5F / up};
 }
 
-void add_albedo(const MaterialLook& look, int side, std::uint8_t* out) {
+void add_albedo(const MaterialLook& look, int side, std::vector<std::uint8_t>& out) {
     static const auto table = [] {
         std::array<float, 256> linear{};
         for (std::size_t i = 0; i < 256; ++i)
@@ -131,8 +131,8 @@ void add_albedo(const MaterialLook& look, int side, std::uint8_t* out) {
         });
     for (const glm::vec3& c : linear) {
         for (int i = 0; i < 3; ++i)
-            *out++ = static_cast<std::uint8_t>(clamped_byte(255.0F * srgb(c[i])));
-        *out++ = 255;
+            out.push_back(static_cast<std::uint8_t>(clamped_byte(255.0F * srgb(c[i]))));
+        out.push_back(255);
     }
 }
 
@@ -215,7 +215,7 @@ int common_side(std::span<const MaterialLook> looks, std::size_t max_bytes) {
     while (side < longest && side < 1024)
         side *= 2;
     const auto bytes = [&](int s) {
-        return looks.size() * 8U * static_cast<std::size_t>(s) * static_cast<std::size_t>(s);
+        return looks.size() * 12U * static_cast<std::size_t>(s) * static_cast<std::size_t>(s);
     };
     while (side > 16 && bytes(side) > max_bytes)
         side /= 2;
@@ -235,12 +235,12 @@ LookLayers make_look_layers(std::span<const MaterialLook> looks, std::size_t max
     layers.side = common_side(looks, max_bytes);
     const std::size_t n =
         4U * static_cast<std::size_t>(layers.side) * static_cast<std::size_t>(layers.side);
-    layers.albedo.resize(looks.size() * n);
     layers.detail.resize(looks.size() * n);
     for (std::size_t i = 0; i < looks.size(); ++i) {
         const MaterialLook& look = looks[i];
-        add_albedo(look, layers.side, layers.albedo.data() + i * n);
+        add_albedo(look, layers.side, layers.albedo);
         const Detail detail = detail_of(look, layers.side);
+        layers.relief.insert(layers.relief.end(), detail.heights.begin(), detail.heights.end());
         add_detail(detail, layers.side, layers.detail.data() + i * n);
         LookRecord record;
         for (int c = 0; c < 3; ++c)

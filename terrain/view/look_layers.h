@@ -15,15 +15,18 @@ namespace scree::terrain {
 struct LookRecord {
     glm::vec4 colour{0.0F};   ///< Linear light; w: roughness.
     glm::vec4 measure{0.0F};  ///< 1 / size, height of the detail's full range, its greatest slope,
-                              ///< 1 where there is a picture.
+                              ///< 1 where there is a colour picture.
+    glm::vec4 kind{0.0F};     ///< x: 1 for gravel that has rocks near the eye.
 };
 
-/// Looks as layers of equal size, for texture arrays: RGBA8, one layer after the other.
+/// Looks as layers of equal size, for texture arrays, one layer after the other; RGBA8 but for the
+/// relief.
 struct LookLayers {
     int side = 1;  ///< Of a layer, texels; a power of two.
     std::vector<LookRecord> records;
-    std::vector<std::uint8_t> albedo;  ///< sRGB; alpha 255.
+    std::vector<std::uint8_t> albedo;  ///< sRGB, alpha 255, of the looks that have a picture.
     std::vector<std::uint8_t> detail;  ///< Slopes along x and z, height about its mean, open sky.
+    std::vector<float> relief;  ///< Heights about their mean, metres, of the looks that have any.
 };
 
 /// Resample looks to the largest side that any of them has, at most 1024, and less where the

@@ -1,6 +1,7 @@
 #include "terrain/view/dynamic_normals.h"
 #include "terrain/view/light_shaders.h"
 #include "terrain/view/look_shaders.h"
+#include "terrain/view/ranges.h"
 #include "terrain/view/view_shaders.h"
 
 namespace scree::terrain {
@@ -22,10 +23,12 @@ uniform mat4 world_from_clip;
 uniform vec2 sample_size;     // of the picture, in clip space
 
 layout(binding = 2) uniform sampler2D surface;
+layout(binding = 6) uniform sampler2DArray detail;
 layout(binding = 3) uniform sampler2D sun_reach;
 uniform int mode;             // 0 textured, 1 wire, 2 height, 3 material
 uniform vec3 height_scale;    // least height, 1 / span, contour interval; metres
 uniform float cell_size;
+uniform float near_m;         // within it gravel is rocks, not pictures of them
 
 struct Soil {
     vec3 albedo;
@@ -52,74 +55,78 @@ float grain_sun(vec2 uv, float layer, Look look, float height) {
     return lit;
 }
 
-// A look-up under an oblong footprint: two or four rounder ones along its length, so that ground seen
-// at a slant keeps its detail.
-vec4 sampled(sampler2DArray pictures, vec3 at, vec2 dx, vec2 dy) {
+// A place on the ground and the footprint of a sample on it, as the pictures are laid over it. An
+// oblong footprint takes two or four rounder look-ups along its length, so that ground seen at a
+// slant keeps its detail.
+struct Laid {
+    vec2 at, piece, shorter;
+    int n;
+    float share;
+};
+
+Laid laid(vec2 at, vec2 dx, vec2 dy, float share) {
     float x2 = dot(dx, dx);
     float y2 = dot(dy, dy);
     vec2 longer = x2 > y2 ? dx : dy;
     vec2 shorter = x2 > y2 ? dy : dx;
     float oblong = max(x2, y2) / max(min(x2, y2), 1e-30);
     int n = oblong < 3.0 ? 1 : oblong < 12.0 ? 2 : 4;
-    vec2 piece = longer / float(n);
-    vec4 sum = vec4(0.0);
-    for (int i = 0; i < n; ++i) {
-        vec2 off = piece * (float(i) - 0.5 * float(n - 1));
-        sum += textureGrad(pictures, at + vec3(off, 0.0), piece, shorter);
-    }
-    return sum / float(n);
+    return Laid(at, longer / float(n), shorter, n, share);
 }
 
-// A place on the ground and the footprint of a sample on it, as the pictures are laid over it.
-struct Laid {
-    vec2 at, dx, dy;
-    float share;
-};
+vec2 tap(Laid on, int i) { return on.at + on.piece * (float(i) - 0.5 * float(on.n - 1)); }
 
 // The pictures lie flat on the ground; on steep sides, where they would be drawn out, they give
 // place to the same pictures seen from the side.
 void lay(vec3 world, vec3 dx, vec3 dy, vec2 slopes, out Laid flat_, out Laid side) {
     float steep = smoothstep(0.9, 1.7, length(slopes));
-    flat_ = Laid(world.xz, dx.xz, dy.xz, 1.0 - steep);
-    side = abs(slopes.x) > abs(slopes.y) ? Laid(world.yz, dx.yz, dy.yz, steep)
-                                         : Laid(world.xy, dx.xy, dy.xy, steep);
+    flat_ = laid(world.xz, dx.xz, dy.xz, 1.0 - steep);
+    side = abs(slopes.x) > abs(slopes.y) ? laid(world.yz, dx.yz, dy.yz, steep)
+                                         : laid(world.xy, dx.xy, dy.xy, steep);
 }
 
-vec4 laid(sampler2DArray pictures, float layer, float per_size, Laid flat_, Laid side) {
+vec3 albedo_on(int slot, Laid on) {
+    if (on.share <= 0.0)
+        return vec3(0.0);
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < on.n; ++i)
+        sum += scree_albedo_of(slot, tap(on, i), on.piece, on.shorter);
+    return sum * (on.share / float(on.n));
+}
+
+vec4 detail_on(int slot, float per_size, Laid on) {
+    if (on.share <= 0.0)
+        return vec4(0.0);
     vec4 sum = vec4(0.0);
-    if (flat_.share > 0.0)
-        sum += flat_.share * sampled(pictures, vec3(flat_.at * per_size, layer),
-                                     flat_.dx * per_size, flat_.dy * per_size);
-    if (side.share > 0.0)
-        sum += side.share * sampled(pictures, vec3(side.at * per_size, layer), side.dx * per_size,
-                                    side.dy * per_size);
-    return sum;
+    for (int i = 0; i < on.n; ++i)
+        sum += textureGrad(detail, vec3(tap(on, i) * per_size, float(slot)), on.piece * per_size,
+                           on.shorter * per_size);
+    return sum * (on.share / float(on.n));
 }
 
-Soil soil_at(vec3 world, vec3 dx, vec3 dy, vec2 slopes) {
+Soil soil_at(vec3 world, float base, vec3 dx, vec3 dy, vec2 slopes) {
     Laid flat_, side;
     lay(world, dx, dy, slopes, flat_, side);
-    Blend blend = corner_blend(world.xz);
+    ScreeBlend blend = scree_blend(torn(world.xz));
+    float as_meshes = range_share(distance(eye, vec3(world.x, base, world.z)), near_m);
     Soil soil = Soil(vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0);
     float total = 0.0;
-    for (int i = 0; i < 4; ++i) {
-        if (blend.weight[i] <= 0.0)
+    for (int i = 0; i < SCREE_SHARES; ++i) {
+        float w = blend.weights[i];
+        if (w <= 0.0)
             continue;
-        Look look = looks[blend.layer[i]];
-        float layer = float(blend.layer[i]);
-        vec4 d = laid(detail, layer, look.measure.x, flat_, side);
-        float w = blend.weight[i];
+        int slot = blend.slots[i];
+        Look look = looks[slot];
+        vec4 d = detail_on(slot, look.measure.x, flat_) + detail_on(slot, look.measure.x, side);
         if (w < 1.0)  // what stands higher covers what lies lower
             w *= exp2(7.0 * (d.b - 0.5) * step(1e-9, look.measure.y));
         total += w;
-        vec3 colour = look.colour.rgb;
-        if (look.measure.w > 0.5)
-            colour = laid(albedo, layer, look.measure.x, flat_, side).rgb;
-        soil.albedo += w * colour;
-        soil.slopes += w * (d.rg * 2.0 - 256.0 / 255.0) * look.measure.z;
-        soil.open += w * d.a;
+        soil.albedo += w * (albedo_on(slot, flat_) + albedo_on(slot, side));
+        float raised = 1.0 - as_meshes * look.kind.x;
+        soil.slopes += w * raised * (d.rg * 2.0 - 256.0 / 255.0) * look.measure.z;
+        soil.open += w * mix(1.0, d.a, raised);
         soil.roughness += w * look.colour.w;
-        soil.lit += w * mix(1.0, grain_sun(world.xz * look.measure.x, layer, look, d.b), flat_.share);
+        soil.lit += w * mix(1.0, grain_sun(world.xz * look.measure.x, float(slot), look, d.b), raised * flat_.share);
     }
     return Soil(soil.albedo / total, soil.slopes / total, soil.open / total,
                 soil.roughness / total, soil.lit / total);
@@ -134,7 +141,7 @@ vec3 height_colour(float t) {
     return 0.75 * pow(mix(ramp[i], ramp[i + 1], x - float(i)), vec3(1.7));
 }
 
-vec3 plain_colour(uint layer) {
+vec3 plain_colour(int layer) {
     float hue = fract(0.09 + float(layer) * 0.381966);
     vec3 c = clamp(abs(fract(hue + vec3(0.0, 2.0, 1.0) / 3.0) * 6.0 - 3.0) - 1.0, 0.0, 1.0);
     return mix(vec3(0.5), c, 0.55) * 0.62;
@@ -203,14 +210,14 @@ void main() {
     vec3 dy = step_on_plane(clip + vec2(0.0, sample_size.y), world, facing);
     Soil soil = Soil(vec3(0.42), vec2(0.0), 1.0, 1.0, 1.0);
     if (mode == 0)
-        soil = soil_at(world, dx, dy, s.xy);
+        soil = soil_at(world, texture(base_heights, uv).r, dx, dy, s.xy);
     else if (mode == 2)
         soil.albedo = height_colour((height - height_scale.x) * height_scale.y);
     else if (mode == 3) {
-        Blend blend = corner_blend(at);
+        ScreeBlend blend = scree_blend(torn(at));
         soil.albedo = vec3(0.0);
-        for (int i = 0; i < 4; ++i)
-            soil.albedo += blend.weight[i] * plain_colour(blend.layer[i]);
+        for (int i = 0; i < SCREE_SHARES; ++i)
+            soil.albedo += blend.weights[i] * plain_colour(blend.slots[i]);
     }
     vec3 n = blend_normals(normal_of(s.xy + soil.slopes), dynamic, s.z);
     if (mode == 0)
@@ -224,19 +231,33 @@ void main() {
 }
 )glsl";
 
+// A rock has the colours of the ground that its picture covered.
+constexpr const char* kNearRock = R"glsl(
+in vec3 world;
+in vec3 shading_normal;
+layout(location = 0) out vec4 picture;
+
+void main() {
+    vec3 n = normalize(shading_normal);
+    // Its neighbours take the sky from its sides.
+    float open = 0.55 + 0.45 * clamp(n.y, 0.0, 1.0);
+    vec3 albedo_ = scree_ground_colour(world.xz);
+    picture = vec4(shown(lit_colour(albedo_, n, open, object_shadow(world), 0.9, world)), 1.0);
+}
+)glsl";
+
 constexpr const char* kWall = R"glsl(
 in vec3 world;
 flat in vec3 face;
 layout(location = 0) out vec4 picture;
 
-// The ground's mean colour at a place: the last level of the pictures.
+// The ground's mean colour at a place: a footprint as wide as the pictures' last level.
 vec3 mean_colour(vec2 at) {
-    Blend blend = corner_blend(at);
+    ScreeBlend blend = scree_blend(torn(at));
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < 4; ++i) {
-        Look look = looks[blend.layer[i]];
-        sum += blend.weight[i] * (look.measure.w > 0.5 ? textureLod(albedo, vec3(0.0, 0.0, float(blend.layer[i])), 20.0).rgb
-                                                       : look.colour.rgb);
+    for (int i = 0; i < SCREE_SHARES; ++i) {
+        float wide = 8.0 * SCREE_SIZE[blend.slots[i]];
+        sum += blend.weights[i] * scree_albedo_of(blend.slots[i], vec2(0.0), vec2(wide, 0.0), vec2(0.0, wide));
     }
     return sum;
 }
@@ -256,15 +277,20 @@ void main() {
 
 }  // namespace
 
-std::string ground_fragment_glsl() {
-    return kVersion + std::string(dynamic_normals_glsl()) + std::string(noise_glsl()) +
-           std::string(heights_glsl()) + std::string(looks_glsl()) + std::string(light_glsl()) +
-           kFragment;
+std::string near_rock_fragment_glsl(const GroundShaders& made) {
+    return kVersion + std::string(noise_glsl()) + made.fragment_functions +
+           std::string(light_glsl()) + kNearRock;
 }
 
-std::string wall_fragment_glsl() {
-    return kVersion + std::string(noise_glsl()) + std::string(looks_glsl()) +
-           std::string(light_glsl()) + kWall;
+std::string ground_fragment_glsl(const GroundShaders& made) {
+    return kVersion + std::string(ranges_glsl()) + std::string(dynamic_normals_glsl()) +
+           std::string(noise_glsl()) + std::string(heights_glsl()) + made.fragment_functions +
+           std::string(looks_glsl()) + std::string(light_glsl()) + kFragment;
+}
+
+std::string wall_fragment_glsl(const GroundShaders& made) {
+    return kVersion + std::string(noise_glsl()) + made.fragment_functions +
+           std::string(looks_glsl()) + std::string(light_glsl()) + kWall;
 }
 
 }  // namespace scree::terrain

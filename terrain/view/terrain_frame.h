@@ -6,12 +6,26 @@
 #include "terrain/material/description_map.h"
 #include "terrain/view/material_look.h"
 
+#include <cstddef>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
 namespace scree::terrain {
+
+/// A rock of a ground. Its place is in the ground's x and z; y counts from the ground below its
+/// centre, so that it rises and falls with the ground.
+struct RockPlace {
+    std::size_t mesh = 0;              ///< Place in GroundRocks::meshes.
+    glm::mat4 ground_from_rock{1.0F};  ///< Metres.
+};
+
+/// Loose rocks that stand in for the pictures of gravel near the eye.
+struct GroundRocks {
+    std::vector<meshing::TriMesh> meshes;
+    std::vector<RockPlace> places;
+};
 
 /// A ground to be drawn: what does not change from frame to frame. What it points at is copied to
 /// the device by TerrainView's constructor.
@@ -20,6 +34,7 @@ struct TerrainGround {
     const DescriptionMap* map = nullptr;  ///< Null: the first look everywhere.
     std::vector<MaterialLook> looks;      ///< As `map->materials`; empty: plain colours.
     CellWindow window;                    ///< The part to show; empty shows all of it.
+    GroundRocks rocks{};  ///< On its gravel; shown within TerrainViewOptions::near_m.
 };
 
 /// A mesh in the picture; the mesh must outlive the call.

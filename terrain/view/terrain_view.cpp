@@ -1,6 +1,7 @@
 #include "terrain/view/terrain_view.h"
 
 #include "terrain/view/ground_textures.h"
+#include "terrain/view/near_rocks.h"
 #include "terrain/view/object_depth.h"
 #include "terrain/view/picture_target.h"
 #include "terrain/view/tessellation.h"
@@ -56,22 +57,25 @@ struct TerrainView::State {
     Lattice lattice_shape;
     DrawnMesh lattice, walls;
     ObjectMeshes objects;
+    NearRocks rocks;
     GlVertexArray no_corners;
     DepthMap shadow_map, undersides;
     ShaderProgram depth_program, line_program, ground_program, wall_program, object_program,
-        shadow_program;
+        shadow_program, rock_program;
 
     // Of the frame being drawn.
     glm::mat4 clip{1.0F}, shadow{1.0F};
     glm::vec3 sun{0.0F, 1.0F, 0.0F};
     ViewBox casters;
     float foot = 0.0F;
+    float near_m = 0.0F;  // within it rocks are meshes; 0 where there are none
 
     State(GlContext& ctx, const TerrainGround& shown, const TerrainViewOptions& wanted)
         : context(ctx),
           options(wanted),
           ground(ctx, shown),
           target(ctx, wanted.width, wanted.height, wanted.supersampling),
+          rocks(shown.rocks),
           no_corners(0U),
           shadow_map(std::min(wanted.shadow_size, ctx.max_texture_size()), true),
           undersides(256, false) {
@@ -93,31 +97,44 @@ struct TerrainView::State {
     void draw_lattice(const TerrainFrame& frame, const ShaderProgram& program) const;
     void draw_ground(const TerrainFrame& frame, ViewMode mode) const;
     void draw_walls(const TerrainFrame& frame) const;
+    void draw_rocks(const TerrainFrame& frame);
     void draw_objects(const TerrainFrame& frame);
     TessellationRule rule(const TerrainFrame& frame) const;
 };
 
 void TerrainView::State::load_programs() {
-    depth_program = ShaderProgram("the ground's depth",
-                                  {{ShaderStage::Vertex, ground_vertex_glsl()},
-                                   {ShaderStage::TessControl, ground_control_glsl()},
-                                   {ShaderStage::TessEvaluation, ground_evaluation_glsl()},
-                                   {ShaderStage::Fragment, shadow_fragment_glsl()}});
-    line_program =
-        ShaderProgram("the wires", {{ShaderStage::Vertex, ground_vertex_glsl()},
-                                    {ShaderStage::TessControl, ground_control_glsl()},
-                                    {ShaderStage::TessEvaluation, ground_evaluation_glsl()},
-                                    {ShaderStage::Fragment, line_fragment_glsl()}});
-    ground_program = ShaderProgram("the ground", {{ShaderStage::Vertex, screen_vertex_glsl()},
-                                                  {ShaderStage::Fragment, ground_fragment_glsl()}});
-    wall_program = ShaderProgram("the walls", {{ShaderStage::Vertex, wall_vertex_glsl()},
-                                               {ShaderStage::Fragment, wall_fragment_glsl()}});
+    depth_program =
+        ShaderProgram("the ground's depth",
+                      {{ShaderStage::Vertex, ground_vertex_glsl()},
+                       {ShaderStage::TessControl, ground_control_glsl()},
+                       {ShaderStage::TessEvaluation, ground_evaluation_glsl(ground.shaders())},
+                       {ShaderStage::Fragment, shadow_fragment_glsl()}});
+    line_program = ShaderProgram(
+        "the wires", {{ShaderStage::Vertex, ground_vertex_glsl()},
+                      {ShaderStage::TessControl, ground_control_glsl()},
+                      {ShaderStage::TessEvaluation, ground_evaluation_glsl(ground.shaders())},
+                      {ShaderStage::Fragment, line_fragment_glsl()}});
+    ground_program = ShaderProgram(
+        "the ground", {{ShaderStage::Vertex, screen_vertex_glsl()},
+                       {ShaderStage::Fragment, ground_fragment_glsl(ground.shaders())}});
+    wall_program =
+        ShaderProgram("the walls", {{ShaderStage::Vertex, wall_vertex_glsl()},
+                                    {ShaderStage::Fragment, wall_fragment_glsl(ground.shaders())}});
     object_program =
         ShaderProgram("the objects", {{ShaderStage::Vertex, object_vertex_glsl()},
                                       {ShaderStage::Fragment, object_fragment_glsl()}});
     shadow_program =
         ShaderProgram("the shadows", {{ShaderStage::Vertex, shadow_vertex_glsl()},
                                       {ShaderStage::Fragment, shadow_fragment_glsl()}});
+    if (!rocks.empty()) {
+        rock_program = ShaderProgram(
+            "the rocks", {{ShaderStage::Vertex, near_rock_vertex_glsl()},
+                          {ShaderStage::Fragment, near_rock_fragment_glsl(ground.shaders())}});
+        GroundTextures::set_samplers(rock_program);
+    }
+    for (const ShaderProgram* program :
+         {&depth_program, &line_program, &ground_program, &wall_program})
+        GroundTextures::set_samplers(*program);
 }
 
 TessellationRule TerrainView::State::rule(const TerrainFrame& frame) const {
@@ -160,6 +177,7 @@ void TerrainView::State::set_common(const ShaderProgram& program, const TerrainF
     program.set("sun_direction", sun);
     program.set("light_strength", glm::vec2(frame.light.strength, frame.light.sky));
     program.set("eye", frame.camera.eye);
+    program.set("near_m", near_m);
 }
 
 // The objects' depth from the sun and from straight below.
@@ -249,6 +267,13 @@ void TerrainView::State::draw_walls(const TerrainFrame& frame) const {
     glDrawArrays(GL_TRIANGLES, 0, walls.n_drawn);
 }
 
+void TerrainView::State::draw_rocks(const TerrainFrame& frame) {
+    if (!(near_m > 0.0F))
+        return;
+    set_common(rock_program, frame);
+    rocks.draw(rock_program, frame.camera.eye, near_m);
+}
+
 void TerrainView::State::draw_objects(const TerrainFrame& frame) {
     set_common(object_program, frame);
     object_program.use();
@@ -286,6 +311,8 @@ Photo TerrainView::draw(const TerrainFrame& frame, ViewMode mode) {
     s.context.make_current();
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
+    s.near_m = mode == ViewMode::Textured && !s.rocks.empty() ? static_cast<float>(s.options.near_m)
+                                                              : 0.0F;
     s.prepare(frame);
     s.draw_object_depths(frame);
     s.ground.bind();
@@ -293,6 +320,7 @@ Photo TerrainView::draw(const TerrainFrame& frame, ViewMode mode) {
     glBindTextureUnit(kUnderUnit, s.undersides.texture());
     s.draw_ground(frame, mode);
     s.draw_walls(frame);
+    s.draw_rocks(frame);
     s.draw_objects(frame);
     return s.target.read();
 }

@@ -39,6 +39,7 @@ struct TerrainViewOptions {
     double tessellation = 4.0;     ///< T of (4.14): a patch at the reference has T + 1 parts.
     double refine_radius_m = 0.0;  ///< k of (4.14); 0 takes half the longer side.
     RefineAt refine_at = RefineAt::Camera;
+    double near_m = 0.0;       ///< r1 of C.12: within it rocks are meshes; 0: nowhere.
     double far_m = 0.0;        ///< r2 of C.12; 0: where a cell is an eighth of a pixel.
     double contour_m = 0.0;    ///< Between contour lines; 0 picks a round number.
     int shadow_size = 2048;    ///< Side of the shadow map, texels.
@@ -59,6 +60,8 @@ void describe(TerrainViewOptions& o, Visitor&& field) {
     field("refine-radius", o.refine_radius_m,
           {.min = 0, .max = 1e6, .unit = "m", .help = "radius of the refined ground; 0 is half"});
     field("refine-at", o.refine_at, {.help = "what the ground is refined round"});
+    field("near", o.near_m,
+          {.min = 0, .max = 1e6, .unit = "m", .help = "within it rocks are meshes, not pictures"});
     field("far", o.far_m,
           {.min = 0, .max = 1e6, .unit = "m", .help = "beyond it normals alone; 0 picks it"});
     field("contour", o.contour_m,

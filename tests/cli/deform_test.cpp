@@ -104,8 +104,27 @@ TEST_F(Deform, ReportSaysWhatHappened) {
     EXPECT_GT(said["materials"][0]["greatest_slope_deg"], 5.0);
     EXPECT_FALSE(said["device"].get<std::string>().empty());
     EXPECT_EQ(said["objects"][0]["smaller_than_cell"], false);
+    EXPECT_GT(said["objects"][0]["unspent_force_n"], 0.0);  // cells that yield
+    EXPECT_GE(said["objects"][0]["unspent_force_n"], said["frames"][5]["unspent_force_n"]);
+    EXPECT_TRUE(said["settled"].is_null());
     EXPECT_FALSE(fs::exists(dir_ / "out/frames"));
     EXPECT_FALSE(fs::exists(dir_ / "out/preview.gif"));
+}
+
+TEST_F(Deform, SettlesWhereTheSceneAsks) {
+    write_with("\"frames\": 12", "\"settle\": true, \"frames\": 12");
+    const ProgramRun run = deform({});
+    ASSERT_EQ(run.status, 0) << run.errors;
+    EXPECT_THAT(run.output, HasSubstr("settled "));
+    const json said = report();
+    EXPECT_GT(said["settled"]["moved_m3"], 0.0);
+    EXPECT_LE(said["settled"]["excess"], 0.001);
+    for (const json& material : said["materials"])
+        EXPECT_LE(material["greatest_slope_deg"].get<double>(),
+                  material["repose_deg"].get<double>() + 0.5);
+    EXPECT_TRUE(fs::exists(dir_ / "out/settled.png"));
+    ASSERT_EQ(deform({"--no-frames", "--quiet"}).status, 0);
+    EXPECT_FALSE(fs::exists(dir_ / "out/settled.png"));
 }
 
 TEST_F(Deform, IsTheSameForAnyThreadCount) {

@@ -101,6 +101,46 @@ TEST_F(Describe, WritesTheSameBytesAgainAndTakesOldFilesAway) {
         EXPECT_EQ(bytes, before.at(name)) << name;
 }
 
+// Row DM-08 by the command: two layers mix, parameters lie between, every material's mass is kept.
+TEST_F(Describe, LayersMixWithWhatLiesBelow) {
+    write_whole_file(at("layers.json"), std::string_view(R"({"format": "scree-layers", "version": 1,
+        "layers": [{"thickness_m": 0.1}, {"thickness_m": 0.3, "material": "mud"},
+                   {"thickness_m": 0.2, "map": "plain"}]})"));
+    const std::vector<std::string> strokes = {"--strokes", at("strokes.json"), "--materials",
+                                              at("table.json")};
+    ASSERT_EQ(describe(strokes, "plain").status, 0);
+    auto words = strokes;
+    words.insert(words.end(), {"--layers", at("layers.json"), "--mix-steps", "20",
+                               "--mix-downwards", "0.1", "--mix-sideways", "0", "--json"});
+    const auto run = describe(words, "mixed");
+    ASSERT_EQ(run.status, 0) << run.errors;
+    const json mixed = json::parse(run.output)["mixed"];
+    EXPECT_EQ(mixed["layers"], 3);
+    double whole = 0.0;
+    for (std::size_t m = 0; m < 2; ++m) {
+        EXPECT_NEAR(mixed["after_m3"][m].get<double>(), mixed["before_m3"][m].get<double>(), 1e-9);
+        whole += mixed["after_m3"][m].get<double>();
+    }
+    EXPECT_NEAR(whole, 24 * 16 * 0.25 * 0.25 * 0.6, 1e-9);
+    const terrain::DescriptionMap map = terrain::read_description_map(at("mixed"));
+    const float sand = 34.0F * 0.0174533F;
+    const float mud = 15.0F * 0.0174533F;
+    EXPECT_LT(map.repose(0, 15), sand - 0.05F);  // sand over mud
+    EXPECT_GT(map.repose(0, 15), mud + 0.01F);
+    const auto planes = vision::read_planes(at("mixed") / "layers.exr");
+    ASSERT_EQ(planes.size(), 6U);
+    EXPECT_EQ(planes[0].name, "0.mud");
+    EXPECT_GT(planes[0].values(0, 15), 0.02F);
+    EXPECT_EQ(planes[1].name, "0.sand");
+    EXPECT_NEAR(planes[0].values(0, 15) + planes[1].values(0, 15), 0.1F, 1e-6F);
+    auto alone = strokes;
+    alone.insert(alone.end(), {"--mix-downwards", "0.1"});
+    expect_refused(alone, 2, "--mix-downwards needs --layers");
+    write_whole_file(at("layers.json"), std::string_view(R"({"format": "scree-layers", "version": 1,
+        "layers": [{"thickness_m": 0.1}, {"thickness_m": 0.3, "material": "ice"}]})"));
+    expect_refused(words, 1, "layers.json: layers[1].material");
+}
+
 TEST_F(Describe, PaintedPicturesAndStrokesOverThem) {
     Photo painted(6, 4, glm::u8vec3(214, 186, 130));
     painted(2, 1) = {92, 70, 50};
@@ -138,6 +178,27 @@ TEST_F(Describe, RocksAndTheGroundBetweenThem) {
     EXPECT_TRUE(map.materials[1].gravel);
     EXPECT_EQ(vision::read_photo(map.materials[1].textures.albedo).pixels.width(), 48);
     EXPECT_DOUBLE_EQ(map.materials[1].textures.size_m, 0.48);
+    EXPECT_TRUE(map.materials[1].textures.displacement.empty());
+
+    // The depth map of the rocks goes with the photograph; found at 5 mm a pixel, used at 10.
+    vision::HeightImage relief{FloatRaster(64, 48), 0.005};
+    relief.metres(8 + 3, 7) = 0.02F;
+    vision::write_heights_exr(at("relief.exr"), relief);
+    std::vector<std::string> words = {"--labels",  at("labels.png"), "--photo",  at("photo.png"),
+                                      "--width-m", "0.64",           "--relief", at("relief.exr")};
+    const auto raised = describe(words, "two");
+    ASSERT_EQ(raised.status, 0) << raised.errors;
+    for (const auto& material : terrain::read_description_map(at("two")).materials) {
+        const auto heights = vision::read_heights(material.textures.displacement);
+        EXPECT_EQ(heights.metres.width(), 48);
+        EXPECT_FLOAT_EQ(heights.metres(3, 7), 0.04F);
+        EXPECT_DOUBLE_EQ(heights.metres_per_pixel, 0.01);
+    }
+    vision::write_heights_exr(at("relief.exr"), {FloatRaster(9, 9), 0.005});
+    expect_refused(words, 1, "relief.exr has 9 x 9 pixels");
+    expect_refused({"--strokes", at("strokes.json"), "--materials", at("table.json"), "--relief",
+                    at("relief.exr")},
+                   2, "--relief needs --labels");
 }
 
 TEST_F(Describe, RulesOverHeights) {

@@ -51,6 +51,21 @@ protected:
     test::TempDir folder_;
 };
 
+TEST_F(Render, RocksStandOnGravelNearTheEye) {
+    EXPECT_EQ(render({"--near", "1"}).status, 2);
+    EXPECT_EQ(render({"--rocks", at("r.glb")}).status, 2);
+    ASSERT_EQ(test::scree({"procedural", "-o", at("r.glb"), "--seed", "3", "--quiet"}).status, 0);
+    const auto picture = [&](const char* near_m) {
+        const auto run = render({"--rocks", at("r.glb"), "--near", near_m});
+        EXPECT_EQ(run.status, 0) << run.errors;
+        return vision::read_photo(at("out.png")).pixels;
+    };
+    ASSERT_EQ(render({}).status, 0);
+    const Photo none = vision::read_photo(at("out.png")).pixels;
+    EXPECT_EQ(picture("0.01"), none);
+    EXPECT_NE(picture("1000"), none);
+}
+
 TEST_F(Render, DrawsFromFiles) {
     std::vector<Photo> pictures;
     for (const char* view : {"textured", "wire"}) {

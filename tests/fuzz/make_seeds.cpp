@@ -129,6 +129,10 @@ void ground_seeds(const fs::path& folder) {
         "rules": [{"material": "sand", "water_distance": {"max": 1, "soft": 0.1},
         "slope_deg": {"min": 3}, "height": {"min": 0}, "curvature": {"max": 2}}],
         "otherwise": 0})"));
+    write_whole_file(folder / "materials_json" / "layers",
+                     std::string_view(R"({"format": "scree-layers", "version": 1,
+        "surface_depth_m": 0.2, "layers": [{"thickness_m": 0.1}, {"thickness_m": 1, "map": "deep"},
+        {"thickness_m": 2, "material": "sand"}]})"));
     write_whole_file(folder / "strokes_json" / "all",
                      std::string_view(R"({"format": "scree-strokes", "version": 1, "size": [24, 16],
         "cell_size": 0.25, "ground": "sand", "strokes": [
@@ -157,7 +161,7 @@ void scene_seeds(const fs::path& folder) {
                 {"time_s": 2, "position_m": [4, 1, 0], "quaternion": [0, 0, 0, 1],
                  "scale": 2}]}}],
         "deformer": {"slide": "weight", "time_step": 0.5}, "contact": {"outward": "radial"},
-        "frames": 7, "camera": {"eye_m": [0, 1, 2], "target_m": [1, 0, 0]},
+        "frames": 7, "settle": true, "camera": {"eye_m": [0, 1, 2], "target_m": [1, 0, 0]},
         "outputs": {"every": 2}})"));
 }
 

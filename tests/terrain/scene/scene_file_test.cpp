@@ -152,6 +152,12 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"mass", object(kBall + R"(, "mass_kg": -3, )" + kStill), "objects[0].mass_kg",
               "is -3"},
         Wrong{"eye", with_ground(R"("camera": {"eye_m": [0, 0, 0]})"), "camera", "both"},
+        Wrong{"settle literal",
+              with_ground(R"("deformer": {"reading": "literal"}, "settle": true)"), "settle",
+              "literal reading has no rest"},
+        Wrong{"settle zero border",
+              with_ground(R"("deformer": {"border": "zero"}, "settle": true)"), "settle",
+              "take border no-flux"},
         Wrong{"twice", with_ground(R"("map": "m.json", "materials": [])"), "map",
               "stands beside materials"}),
     [](const auto& wrong) {

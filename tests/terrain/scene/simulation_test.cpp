@@ -218,6 +218,27 @@ TEST(Simulation, IsTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(results[0], results[2]);
 }
 
+TEST(Simulation, SettlesToItsReposeAtOnceAndGoesOn) {
+    const Scene scene = scene_of(flat(80, 60) + R"(, "deformer": {"keep_base": false})" +
+                                 R"(, "objects": [)" + dragged(0.2, 1.4, 0.1, 0.6, 0.4) + "]");
+    Simulation simulation(scene, Device::Cpu);
+    run(simulation, 8);
+    EXPECT_GT(simulation.material_reports()[0].greatest_slope_deg, 36.0);
+    EXPECT_TRUE(simulation.objects()[0].present);
+    const SettleReport report = simulation.settle();
+    EXPECT_GT(report.excess_before, 0.05);
+    EXPECT_GT(report.moved_m3, 0.0);
+    EXPECT_FALSE(simulation.objects()[0].present);  // lifted off
+    EXPECT_LE(simulation.material_reports()[0].greatest_slope_deg, 34.1);
+    EXPECT_LT(std::abs(simulation.volume().drift_of_moved), 1e-6);
+    simulation.step();
+    EXPECT_TRUE(simulation.objects()[0].present);  // and back
+    EXPECT_LT(std::abs(simulation.volume().drift_of_moved), 1e-6);
+    const Scene literal = scene_of(flat(20, 20) + R"(, "deformer": {"reading": "literal"})");
+    EXPECT_THAT([&] { Simulation(literal, Device::Cpu).settle(); },
+                testing::ThrowsMessage<InvalidInput>(HasSubstr("s.json: only the sound reading")));
+}
+
 TEST(SimulationErrors, NameTheScene) {
     // A map's own planes can break the bound that the materials keep.
     Scene scene = scene_of(flat(20, 20));

@@ -86,7 +86,7 @@ TEST(LookLayers, ShrinkToTheBytesAllowed) {
     MaterialLook look;
     look.albedo = Photo(512, 512);
     const std::vector<MaterialLook> looks(4, look);
-    EXPECT_EQ(make_look_layers(looks, std::size_t{4} * 8 * 256 * 256).side, 256);
+    EXPECT_EQ(make_look_layers(looks, std::size_t{4} * 12 * 256 * 256).side, 256);
 }
 
 TEST(LookLayersErrors, NameTheLook) {

@@ -1,5 +1,6 @@
 #include "terrain/view/terrain_view.h"
 
+#include "terrain/view/ranges.h"
 #include "tests/support/golden.h"
 #include "tests/support/temp_dir.h"
 #include "tests/terrain/gpu/gl_fixture.h"
@@ -88,6 +89,27 @@ TEST_F(TerrainViews, GiveTheSamePictureTwiceAndInAnotherView) {
     EXPECT_EQ(first, other.draw(shown));
 }
 
+// The view has no blend of its own: hats that let nothing fade cut its borders as they cut those of
+// the shaders that are written for a map.
+TEST_F(TerrainViews, BlendAsTheHatsOfTheMapSay) {
+    map_ = test::three_strips(4.0, 16);  // few cells, so that borders are wide
+    TerrainFrame above = frame();
+    above.camera = camera_over(base_, 0.0, 90.0, 1.6);
+    const auto shades = [&] {
+        TerrainView view(context(), ground(16),
+                         {.width = 96, .height = 60, .supersampling = 1, .shadow_size = 64});
+        return view.draw(above, ViewMode::Material);
+    };
+    const Photo faded = shades();
+    for (Material& material : map_.materials) {
+        const double peak = material.id / 255.0;
+        material.hat = {peak, peak, peak};
+    }
+    const Photo cut = shades();
+    EXPECT_GT(share_of_difference(faded, cut, 10), 0.02);
+    EXPECT_LT(share_of_difference(faded, cut, 10), 0.4);  // beside the borders alone
+}
+
 TEST_F(TerrainViews, UpdatesByWindowsEqualOneOfTheWhole) {
     TerrainView whole(context(), ground(), kSmall);
     TerrainFrame shown = frame();
@@ -137,9 +159,61 @@ TEST_F(TerrainViews, BeyondTheFarRangeNormalsAloneShowTheGroove) {
         EXPECT_EQ(flat(x, 0), grooved(x, 0));
 }
 
+TEST_F(TerrainViews, BeyondTheFarRangeNothingIsCut) {
+    const auto wires = [&](double tessellation) {
+        TerrainView view(context(), ground(16),
+                         {.width = 120,
+                          .height = 75,
+                          .tessellation = tessellation,
+                          .far_m = 0.01,
+                          .shadow_size = 64});
+        return view.draw(frame(), ViewMode::Wire);
+    };
+    EXPECT_EQ(wires(0.0), wires(12.0));
+}
+
 // Without light the ground is black and what shines through it is the backdrop.
+// TD-17: a rock that has just come within r1 is hardly to be seen, and where the border band ends
+// it stands as it stands near by. What lies beyond r1 is drawn as if there were no rocks.
+TEST_F(TerrainViews, RocksRiseWithoutAJump) {
+    map_.materials[2].gravel = true;
+    const glm::vec3 place(3.3F, 0.0F, 2.0F);
+    TerrainGround with_rock{&base_, &map_, {}, {}};
+    with_rock.rocks.meshes.push_back(ball_);
+    with_rock.rocks.places.push_back(
+        {0, glm::scale(glm::translate(glm::mat4(1.0F), place), glm::vec3(0.3F))});
+    const auto drawn = [&](double near_m) {
+        TerrainView view(context(), with_rock,
+                         {.width = 120, .height = 75, .near_m = near_m, .shadow_size = 64});
+        return view.draw(frame());
+    };
+    const auto apart = [](const Photo& a, const Photo& b) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < a.size(); ++i)
+            for (int c = 0; c < 3; ++c)
+                sum += std::abs(int{a.data()[i][c]} - int{b.data()[i][c]});
+        return sum;
+    };
+    glm::vec3 foot = place;
+    foot.y = base_.heights(static_cast<int>(place.x / base_.cell_size),
+                           static_cast<int>(place.z / base_.cell_size));
+    const double away = distance(frame().camera.eye, foot);
+    const Photo none = drawn(0.0);
+    EXPECT_EQ(none, drawn(0.98 * away));
+    const Photo whole = drawn(4.0 * away);
+    const double all = apart(none, whole);
+    EXPECT_GT(all, 5e3);
+    EXPECT_LT(apart(none, drawn(1.03 * away)), 0.05 * all);
+    EXPECT_LT(apart(whole, drawn(away / (1.0 - kRangeBand) / 1.03)), 0.1 * all);
+    const double half = apart(none, drawn(away / (1.0 - 0.5 * double{kRangeBand})));
+    EXPECT_GT(half, 0.2 * all);
+    EXPECT_LT(half, 0.9 * all);
+}
+
 TEST_F(TerrainViews, HaveNoCracks) {
-    for (const double tessellation : {5.0, 40.0}) {
+    // The last far range ends in the middle of the picture.
+    for (const auto& [tessellation, far_m] :
+         {std::pair{5.0, 0.0}, std::pair{40.0, 0.0}, std::pair{40.0, 2.35}}) {
         TerrainView view(context(), ground(),
                          {.width = 240,
                           .height = 150,
@@ -147,6 +221,7 @@ TEST_F(TerrainViews, HaveNoCracks) {
                           .lattice = 20,
                           .tessellation = tessellation,
                           .refine_radius_m = 0.8,
+                          .far_m = far_m,
                           .shadow_size = 64});
         TerrainFrame shown = frame();
         shown.displacement = &groove_;
@@ -157,7 +232,7 @@ TEST_F(TerrainViews, HaveNoCracks) {
         std::size_t n_holes = 0;
         for (const auto& pixel : view.draw(shown))
             n_holes += pixel.x > 0 || pixel.y > 0 || pixel.z > 0 ? 1 : 0;
-        EXPECT_EQ(n_holes, 0U) << "tessellation " << tessellation;
+        EXPECT_EQ(n_holes, 0U) << "tessellation " << tessellation << ", far " << far_m;
     }
 }
 
