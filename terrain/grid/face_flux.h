@@ -45,16 +45,21 @@ inline float face_diffusion(float a, float b) {
     return sum > 0.0F ? 2.0F * a * b / sum : 0.0F;
 }
 
-/// Slide through a face by the slope in excess of repose (C.8, `Excess`), metres of height,
+/// Slide through a face by the slope in excess of what holds (C.8, `Excess`), metres of height,
 /// unsigned; negative where the slope holds.
+/// @param holds  Height difference that stays: at least tan(repose) times the cell size, 0 or more.
+inline float excess_over(float difference, float holds, float diffusion) {
+    return (std::fabs(difference) - holds) * diffusion;
+}
+
+/// The same by the slope in excess of repose or of the base's.
 /// @param difference       Height difference across the face.
 /// @param base_difference  That of the base, if its own steepness holds (C.7); else 0.
 /// @param threshold        tan(repose) of the higher cell times the cell size.
 /// @param diffusion        Of the face, times the time step.
 inline float excess_slide(float difference, float base_difference, float threshold,
                           float diffusion) {
-    const float holds = std::max(threshold, std::fabs(base_difference));
-    return (std::fabs(difference) - holds) * diffusion;
+    return excess_over(difference, std::max(threshold, std::fabs(base_difference)), diffusion);
 }
 
 /// Slide through a face by the slope, weighted by its angle above repose (4.4 on faces, C.8

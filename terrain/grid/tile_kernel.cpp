@@ -76,17 +76,17 @@ using LevelOf = std::conditional_t<kLoad, LoadLevel, Level>;
 }
 
 /// Fluxes through the faces above row y, the level's next row.
-template <bool kWeighted, bool kPlanes, bool kLoad>
+template <bool kWeighted, bool kPlanes, bool kKeep, bool kLoad>
 [[gnu::always_inline]] inline void faces_above(const Arguments& a, const LevelOf<kLoad>& level,
                                                int y, float* flux) {
-    slide_row<kWeighted, kPlanes, kPatchWidth>(rows_above(a.patch, y, 0), a.patch.soil, a.rule,
-                                               flux);
+    slide_row<kWeighted, kPlanes, kKeep, kPatchWidth>(rows_above(a.patch, y, 0), a.patch.soil,
+                                                      a.rule, flux);
     if constexpr (kLoad)
         push_row(a.patch.load.push_z.row(y), level.share.here->at(0), level.share.next->at(0),
                  a.rule.quantum, flux);
 }
 
-template <bool kWeighted, bool kPlanes, bool kLoad>
+template <bool kWeighted, bool kPlanes, bool kKeep, bool kLoad>
 [[gnu::always_inline]] inline void begin_level(const Arguments& a, LevelOf<kLoad>& level) {
     const bool has_above = level.begin > a.patch.first_row;
     const float quantum = a.rule.quantum;
@@ -100,25 +100,26 @@ template <bool kWeighted, bool kPlanes, bool kLoad>
                   level.compacted.next->at(0));
     }
     if (has_above)
-        faces_above<kWeighted, kPlanes, kLoad>(a, level, level.begin, level.flux_z.here->at(0));
+        faces_above<kWeighted, kPlanes, kKeep, kLoad>(a, level, level.begin,
+                                                      level.flux_z.here->at(0));
     else
         level.flux_z.here->clear();
 }
 
 /// A row whose rim needs no care and which no load presses: two loops.
-template <bool kWeighted, bool kPlanes>
+template <bool kWeighted, bool kPlanes, bool kKeep>
 [[gnu::always_inline]] inline void slide_level_row(const Arguments& a, Level& level, int y,
                                                    const Row& flux_x) {
     const PatchSoil& soil = a.patch.soil;
     const RowPair& z = level.flux_z;
     if (level.last)
         note_row(a.change, y - kHalo,
-                 slide_and_update<kWeighted, kPlanes, kTileWidth, true>(
+                 slide_and_update<kWeighted, kPlanes, kKeep, kTileWidth, true>(
                      rows_above(a.patch, y + 1, kHalo), soil, a.rule,
                      {flux_x.at(kHalo), z.here->at(kHalo), nullptr, nullptr}, z.next->at(kHalo),
                      a.out + (y - kHalo) * kTileWidth, a.change.columns));
     else
-        slide_and_update<kWeighted, kPlanes, kPatchWidth, false>(
+        slide_and_update<kWeighted, kPlanes, kKeep, kPatchWidth, false>(
             rows_above(a.patch, y + 1, 0), soil, a.rule,
             {flux_x.at(0), z.here->at(0), nullptr, nullptr}, z.next->at(0),
             a.patch.u + y * kPatchWidth, nullptr);
@@ -149,7 +150,7 @@ double tile_sum(const float* row) {
     return sum;
 }
 
-template <bool kWeighted, bool kPlanes, bool kLoad>
+template <bool kWeighted, bool kPlanes, bool kKeep, bool kLoad>
 [[gnu::always_inline]] inline void step_level_row(const Arguments& a, LevelOf<kLoad>& level, int y,
                                                   Row& flux_x) {
     const Patch& patch = a.patch;
@@ -161,19 +162,19 @@ template <bool kWeighted, bool kPlanes, bool kLoad>
             share_row(patch, y + 1, a.rule.quantum, level.share.next->at(0),
                       level.compacted.next->at(0));
     }
-    slide_row<kWeighted, kPlanes, kPatchWidth>(cells_left(patch, y), patch.soil, a.rule,
-                                               flux_x.at(0));
+    slide_row<kWeighted, kPlanes, kKeep, kPatchWidth>(cells_left(patch, y), patch.soil, a.rule,
+                                                      flux_x.at(0));
     if constexpr (kLoad)
         push_row(patch.load.push_x.row(y), level.share.here->at(-1), level.share.here->at(0),
                  a.rule.quantum, flux_x.at(0));
     const bool two_loops = !kLoad && has_below && a.rule.border == Border::NoFlux;
     if (!two_loops && has_below)
-        faces_above<kWeighted, kPlanes, kLoad>(a, level, y + 1, level.flux_z.next->at(0));
+        faces_above<kWeighted, kPlanes, kKeep, kLoad>(a, level, y + 1, level.flux_z.next->at(0));
     else if (!has_below)
         level.flux_z.next->clear();
     hold_rim_columns(a, level.flux_z.here->at(0), level.flux_z.next->at(0), flux_x.at(0));
     if (two_loops)
-        slide_level_row<kWeighted, kPlanes>(a, level, y, flux_x);
+        slide_level_row<kWeighted, kPlanes, kKeep>(a, level, y, flux_x);
     else
         update_level_row<kLoad>(a, level, y, flux_x);
     const int tile_row = y - kHalo;
@@ -201,7 +202,7 @@ template <bool kWeighted, bool kPlanes, bool kLoad>
     fetch_row(tiles[2] + ahead, 1);
 }
 
-template <bool kWeighted, bool kPlanes, bool kLoad>
+template <bool kWeighted, bool kPlanes, bool kKeep, bool kLoad>
 [[gnu::always_inline]] inline void step_rows(const Arguments& a) {
     std::array<LevelOf<kLoad>, kMostBlocked> levels;
     Row flux_x;
@@ -233,39 +234,59 @@ template <bool kWeighted, bool kPlanes, bool kLoad>
             if (y < level.begin || y >= level.end)
                 continue;
             if (y == level.begin)
-                begin_level<kWeighted, kPlanes, kLoad>(a, level);
-            step_level_row<kWeighted, kPlanes, kLoad>(a, level, y, flux_x);
+                begin_level<kWeighted, kPlanes, kKeep, kLoad>(a, level);
+            step_level_row<kWeighted, kPlanes, kKeep, kLoad>(a, level, y, flux_x);
         }
     }
 }
 
 SCREE_MULTIVERSION void excess_uniform(const Arguments& a) {
-    step_rows<false, false, false>(a);
+    step_rows<false, false, true, false>(a);
 }
 SCREE_MULTIVERSION void excess_planes(const Arguments& a) {
-    step_rows<false, true, false>(a);
+    step_rows<false, true, true, false>(a);
 }
 SCREE_MULTIVERSION void excess_load(const Arguments& a) {
-    step_rows<false, true, true>(a);
+    step_rows<false, true, true, true>(a);
 }
 SCREE_MULTIVERSION void weighted_planes(const Arguments& a) {
-    step_rows<true, true, false>(a);
+    step_rows<true, true, true, false>(a);
 }
 SCREE_MULTIVERSION void weighted_load(const Arguments& a) {
-    step_rows<true, true, true>(a);
+    step_rows<true, true, true, true>(a);
+}
+SCREE_MULTIVERSION void loose_uniform(const Arguments& a) {
+    step_rows<false, false, false, false>(a);
+}
+SCREE_MULTIVERSION void loose_planes(const Arguments& a) {
+    step_rows<false, true, false, false>(a);
+}
+SCREE_MULTIVERSION void loose_load(const Arguments& a) {
+    step_rows<false, true, false, true>(a);
+}
+SCREE_MULTIVERSION void loose_weighted_planes(const Arguments& a) {
+    step_rows<true, true, false, false>(a);
+}
+SCREE_MULTIVERSION void loose_weighted_load(const Arguments& a) {
+    step_rows<true, true, false, true>(a);
 }
 }  // namespace
 
 void step_patch(const Patch& patch, const SoundRule& rule, const PatchSteps& steps, float* out,
                 PatchChange& change) {
-    const Arguments arguments{patch, rule, steps, out, change};
+    const Arguments a{patch, rule, steps, out, change};
     const bool weighted = rule.slide != Slide::Excess;
-    if (patch.load.underside.values)
-        weighted ? weighted_load(arguments) : excess_load(arguments);
+    const bool keep = rule.keep_base;
+    if (patch.load.underside.values && weighted)
+        keep ? weighted_load(a) : loose_weighted_load(a);
+    else if (patch.load.underside.values)
+        keep ? excess_load(a) : loose_load(a);
     else if (weighted)
-        weighted_planes(arguments);
+        keep ? weighted_planes(a) : loose_weighted_planes(a);
+    else if (patch.soil.uniform)
+        keep ? excess_uniform(a) : loose_uniform(a);
     else
-        patch.soil.uniform ? excess_uniform(arguments) : excess_planes(arguments);
+        keep ? excess_planes(a) : loose_planes(a);
 }
 
 }  // namespace scree::terrain
