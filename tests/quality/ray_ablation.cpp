@@ -1,9 +1,11 @@
-// What the source's chain (rays, turning-angle filter, centroid iteration, Bezier gaps) adds to the
-// regions of the default method, on the same edge field: docs/vision-learned.md and
+// What each stage adds to a plain watershed of the edge field: the source's chain (rays,
+// turning-angle filter, centroid iteration, Bezier gaps), the choice among the regions of a
+// hierarchy, and the refinement, all on the same field. docs/vision-learned.md and
 // docs/vision-classical.md show the tables.
 //
 //   ray_ablation [--classical] [FOLDER ...]   folders of the shared labelled photographs; all three
 //                                             by default
+#include "tests/quality/plain_watershed.h"
 #include "tests/support/shared_data.h"
 #include "vision/classical/candidate_outline_finder.h"
 #include "vision/classical/classical_edge_detector.h"
@@ -50,8 +52,8 @@ double support(const FloatRaster& boundary, const Outline& outline) {
 }
 
 // Ways to draw the rocks of one photograph, in the order of kWays.
-std::vector<std::vector<Outline>> draw(const Photo& photo, const EdgeDetector& detector,
-                                       const OutlineFinder& finder) {
+std::vector<LabelMap> draw(const Photo& photo, const EdgeDetector& detector,
+                           const OutlineFinder& finder) {
     const EdgeField field = detector.detect(photo);
     const std::vector<Outline> regions = finder.find(photo, field);
     const SliceTracer tracer(edges_of(field), unscaled());
@@ -71,10 +73,15 @@ std::vector<std::vector<Outline>> draw(const Photo& photo, const EdgeDetector& d
     std::vector<Outline> refined;
     for (const Rock& rock : refine_outlines(photo, field, regions).rocks)
         refined.push_back(rock.outline);
-    return {RayOutlineFinder(unscaled()).find(photo, field), rays, better, regions, refined};
+    std::vector<LabelMap> drawn = {test::plain_watershed(field)};
+    for (const auto& outlines :
+         {RayOutlineFinder(unscaled()).find(photo, field), rays, better, regions, refined})
+        drawn.push_back(paint_labels(outlines, photo.width(), photo.height()));
+    return drawn;
 }
 
 constexpr const char* kWays[] = {
+    "plain watershed from the peaks of the distance",
     "rays alone: grid, culling, quality filters",
     "chosen regions, redrawn by rays from their centres",
     "chosen regions, redrawn where that is on more boundary",
@@ -89,8 +96,7 @@ void report(const std::string& folder, const EdgeDetector& detector, const Outli
         const LabelMap truth = read_labels(pair.labels);
         const auto drawn = draw(photo, detector, finder);
         for (std::size_t way = 0; way < drawn.size(); ++way)
-            scores[way].push_back(
-                score_labels(paint_labels(drawn[way], photo.width(), photo.height()), truth));
+            scores[way].push_back(score_labels(drawn[way], truth));
     }
     for (std::size_t way = 0; way < scores.size(); ++way) {
         const LabelScore mean = mean_score(scores[way]);

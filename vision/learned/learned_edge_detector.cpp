@@ -13,6 +13,9 @@ namespace {
 constexpr int kLeastSide = 32;     // of a level, px
 constexpr int kEighthFrom = 2400;  // longest side of a photograph from which 1/8 is looked at
 constexpr int kUsualLevels = 3;
+// Of the doubled picture where it is looked at: with the scales at 1 and 1/2 it then counts half as
+// much as either of them.
+constexpr float kCloserShare = 0.6F;
 
 int levels_of(const Photo& photo, const LearnedOptions& options) {
     const int longest = std::max(photo.width(), photo.height());
@@ -100,20 +103,47 @@ LogitPlanes level_planes(const Photo& picture, const LogitPlanes* coarser, Work&
     return planes;
 }
 
-// The picture at twice its size, needed only around tiny rocks.
-LogitPlanes doubled_planes(const Photo& photo, const LogitPlanes& single, Work& work) {
-    const int width = photo.width(), height = photo.height();
-    FineShare share;
-    LogitPlanes planes = single;
-    if (work.options.adapt) {
-        const double full = 2 * work.options.tiny;  // choose_share() counts pixels twice as fine
-        share = choose_share(single, width, height, {full, 1.5 * full, false});
+// What the doubled picture would say if it said the same as the scales that are read beside it, so
+// that their mean is the same with and without.
+LogitPlanes stand_in(const LevelStack& stack) {
+    LogitPlanes planes = stack.levels[0];
+    if (stack.levels.size() == 1)
+        return planes;
+    for (std::size_t k = 0; k < planes.size(); ++k) {
+        const FloatRaster half =
+            enlarged(stack.levels[1][k], planes[k].width(), planes[k].height());
+        for (std::size_t i = 0; i < half.size(); ++i)
+            planes[k].data()[i] = 0.5F * (planes[k].data()[i] + half.data()[i]);
     }
-    if (share.nothing_in({0, width}, {0, height}))
+    return planes;
+}
+
+// The picture at twice its size, needed only where the single one leaves open what is rock.
+LogitPlanes doubled_planes(const Photo& photo, const LevelStack& stack, Work& work) {
+    LogitPlanes planes = stand_in(stack);
+    FineShare share;
+    if (work.options.adapt) {
+        share = choose_doubtful(planes[1], work.options.doubt);
+        for (float& part : share.by_place)
+            part *= kCloserShare;
+    }
+    if (share.nothing_in({0, photo.width()}, {0, photo.height()}))
         return planes;
     make_room(planes, share);
     add_level(level_picture(doubled(photo)), share, Stored::Halved, work, planes);
     return planes;
+}
+
+bool may_double(const Photo& photo, const LearnedOptions& options, const FusionModel& fusion) {
+    return fusion.reads_doubled && 4e-6 * static_cast<double>(photo.size()) <= options.closest;
+}
+
+// The same mean without the doubled picture; a network needs all that it was trained with.
+FusionModel without_doubled(const FusionModel& fusion) {
+    FusionModel plain = fusion;
+    plain.reads_doubled = false;
+    --plain.n_levels;
+    return plain;
 }
 
 }  // namespace
@@ -134,7 +164,8 @@ EdgeField LearnedEdgeDetector::detect(const Photo& photo, Progress* progress) co
     std::vector<Photo> coarser;
     for (int level = 1; level < n; ++level)
         coarser.push_back(halved(level == 1 ? photo : coarser.back()));
-    Work work{options_, NetworkRun(network_), Meter(progress, photo, n, fusion_.reads_doubled)};
+    const bool doubles = may_double(photo, options_, fusion_);
+    Work work{options_, NetworkRun(network_), Meter(progress, photo, n, doubles)};
     LevelStack stack;
     stack.levels.resize(static_cast<std::size_t>(n));
     for (auto level = static_cast<std::size_t>(n); level-- > 0;) {
@@ -142,8 +173,10 @@ EdgeField LearnedEdgeDetector::detect(const Photo& photo, Progress* progress) co
         stack.levels[level] = level_planes(level == 0 ? photo : coarser[level - 1],
                                            coarsest ? nullptr : &stack.levels[level + 1], work);
     }
-    if (fusion_.reads_doubled)
-        stack.doubled.push_back(doubled_planes(photo, stack.levels[0], work));
+    if (doubles)
+        stack.doubled.push_back(doubled_planes(photo, stack, work));
+    else if (fusion_.reads_doubled && fusion_.n_levels > 1 && fusion_.network.layers.empty())
+        return fuse_levels(std::move(stack), without_doubled(fusion_));
     return fuse_levels(std::move(stack), fusion_);
 }
 

@@ -13,6 +13,9 @@ namespace {
 constexpr double kSizeWindow =
     12.0;                           // standard deviation of the neighbourhood of a size, coarse px
 constexpr float kLeastRock = 0.3F;  // share of rock around a pixel for its size to be trusted
+constexpr int kDoubtCell = 8;       // px
+constexpr double kDoubtWindow = 6;  // standard deviation of the neighbourhood of a doubt, cells
+constexpr float kDoubtRange = 0.1F;
 
 cv::Mat view(const FloatRaster& raster) {
     // const_cast: OpenCV has no view of constant data; the plane is only read.
@@ -85,10 +88,34 @@ FineShare choose_share(const LogitPlanes& coarse, int width, int height,
             const float diameter = 4.0F * rock_row[x] / std::max(slope_row[x], 1e-6F);
             const float wanted = std::clamp((none - diameter) / (none - full), 0.0F, 1.0F);
             const float unsure = std::clamp(2.0F - rock_row[x] / kLeastRock, 0.0F, 1.0F);
-            out[x] = choice.where_unsure ? std::max(wanted, unsure) : wanted * (1.0F - unsure);
+            out[x] = std::max(wanted, unsure);
         }
     });
     return {width == size.width ? std::move(shares) : enlarged(shares, width, height)};
+}
+
+FineShare choose_doubtful(const FloatRaster& inside_logits, double doubt) {
+    const int width = inside_logits.width(), height = inside_logits.height();
+    cv::Mat open(height, width, CV_32F);
+    parallel_for_each_index(0, static_cast<std::size_t>(height), 32, [&](std::size_t row) {
+        const float* in = inside_logits.row(static_cast<int>(row));
+        auto* out = open.ptr<float>(static_cast<int>(row));
+        for (int x = 0; x < width; ++x) {
+            const float inside = squashed(in[x]);
+            out[x] = 4.0F * inside * (1.0F - inside);
+        }
+    });
+    cv::Mat cells;
+    const cv::Size size(std::max(1, width / kDoubtCell), std::max(1, height / kDoubtCell));
+    cv::resize(open, cells, size, 0, 0, cv::INTER_AREA);
+    cv::GaussianBlur(cells, cells, {0, 0}, kDoubtWindow, kDoubtWindow, cv::BORDER_REPLICATE);
+    cv::resize(cells, open, open.size(), 0, 0, cv::INTER_LINEAR);
+    FineShare share{FloatRaster(width, height)};
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            share.by_place(x, y) = std::clamp(
+                (open.at<float>(y, x) - static_cast<float>(doubt)) / kDoubtRange, 0.0F, 1.0F);
+    return share;
 }
 
 void make_room(LogitPlanes& planes, const FineShare& share) {

@@ -20,9 +20,8 @@ struct FineShare {
 
 /// Which sizes of rocks a scale is needed for, in diameters at that scale, px.
 struct ScaleChoice {
-    double full = 96;          ///< Up to this size it is taken whole.
-    double none = 160;         ///< From this size on the coarser one stands in for it.
-    bool where_unsure = true;  ///< Take it whole where the coarser one shows little rock.
+    double full = 96;   ///< Up to this size it is taken whole.
+    double none = 160;  ///< From this size on the coarser one stands in for it.
 };
 
 /// Choose where the next finer scale is needed, by the size of the rocks that the coarser one
@@ -32,7 +31,15 @@ struct ScaleChoice {
 /// @param coarse         Logits of the coarser scale.
 /// @param width, height  Of the finer one: at most twice the coarser one's, or the same, where the
 ///                       finer one was brought to the size of the coarser.
+/// Where the coarser one shows little rock, the finer one is taken whole.
 FineShare choose_share(const LogitPlanes& coarse, int width, int height, const ScaleChoice& choice);
+
+/// Choose where a closer look is worth its price: where the field leaves open what is rock and what
+/// is ground, as between the pebbles of a conglomerate and its matrix.
+///
+/// With i the inside value, 4 i (1 - i) is 0 where it is sure and 1 where it is not. The share
+/// climbs from 0, where the mean of that over some 100 px is `doubt`, to 1 at `doubt` + 0.1.
+FineShare choose_doubtful(const FloatRaster& inside_logits, double doubt);
 
 /// Twice the size, linearly, cut to `width` x `height`.
 FloatRaster enlarged(const FloatRaster& coarse, int width, int height);

@@ -99,7 +99,7 @@ TEST(LearnedEdgeDetector, TilesGiveWhatTheWholePictureGives) {
 }
 
 TEST(LearnedEdgeDetector, APartGivesTheSameBeyondTheReach) {
-    const LearnedOptions options{.levels = 1, .tile = 768};
+    const LearnedOptions options{.levels = 1, .closest = 0, .tile = 768};
     const LearnedEdgeDetector detector(options, smoothing(4));
     const EdgeField all = detector.detect(pebbles());
     const EdgeField some = detector.detect(part(pebbles(), 320, 0, 640, 280));
@@ -109,18 +109,21 @@ TEST(LearnedEdgeDetector, APartGivesTheSameBeyondTheReach) {
 }
 
 TEST(LearnedEdgeDetector, SameBytesForAnyThreadCount) {
-    EdgeField one, two;
-    {
-        const ThreadLimit limit(1);
-        one = LearnedEdgeDetector({.tile = 768}).detect(pebbles());
+    for (const Photo& photo :
+         {pebbles(), part(pebbles(), 0, 0, 200, 150)}) {  // one looked at closer
+        EdgeField one, two;
+        {
+            const ThreadLimit limit(1);
+            one = LearnedEdgeDetector({.doubt = 0, .tile = 768}).detect(photo);
+        }
+        {
+            const ThreadLimit limit(2);
+            two = LearnedEdgeDetector({.doubt = 0, .tile = 768}).detect(photo);
+        }
+        EXPECT_EQ(one.boundary, two.boundary);
+        EXPECT_EQ(one.inside, two.inside);
+        EXPECT_EQ(one.distance, two.distance);
     }
-    {
-        const ThreadLimit limit(2);
-        two = LearnedEdgeDetector({.tile = 768}).detect(pebbles());
-    }
-    EXPECT_EQ(one.boundary, two.boundary);
-    EXPECT_EQ(one.inside, two.inside);
-    EXPECT_EQ(one.distance, two.distance);
 }
 
 class Listener : public Progress {
@@ -162,6 +165,22 @@ TEST(LearnedEdgeDetector, MayLookAtTheDoubledPicture) {
         sum += std::abs(plain.inside.data()[i] - doubled.inside.data()[i]);
     EXPECT_LT(sum / static_cast<double>(photo.size()), 0.05);
     EXPECT_NE(plain.inside, doubled.inside);
+}
+
+TEST(LearnedEdgeDetector, LooksCloserOnlyAtSmallPicturesThatLeaveItOpen) {
+    const FusionModel plain{.n_levels = 2}, closer{.reads_doubled = true, .n_levels = 3};
+    const Photo photo = part(pebbles(), 0, 0, 470, 280);
+    const auto inside = [&](float step, const FusionModel& fusion, double closest) {
+        return LearnedEdgeDetector({.closest = closest}, pointwise(1.0F, step), fusion)
+            .detect(photo)
+            .inside;
+    };
+    const auto difference = [](const FloatRaster& a, const FloatRaster& b) {
+        return greatest_difference(a, b, 0, 0, 0);
+    };
+    EXPECT_GT(difference(inside(0.0F, plain, 1.0), inside(0.0F, closer, 1.0)), 1e-3);
+    EXPECT_EQ(inside(0.0F, plain, 0.5), inside(0.0F, closer, 0.5));  // 0.53 when doubled
+    EXPECT_LT(difference(inside(7.0F, plain, 1.0), inside(7.0F, closer, 1.0)), 1e-6);
 }
 
 TEST(LearnedEdgeDetector, BadInputIsRefused) {

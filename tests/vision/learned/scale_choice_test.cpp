@@ -46,8 +46,21 @@ TEST(ChooseShare, IsWholeForSmallRocksAndNothingForBigOnes) {
 TEST(ChooseShare, FollowsWhatIsSaidOfPlacesWithoutRock) {
     const LogitPlanes ground = planes(64, 64, -9.0F);
     EXPECT_EQ(choose_share(ground, 128, 128, {}).by_place(64, 64), 1.0F);
-    const FineShare none = choose_share(ground, 64, 64, {.where_unsure = false});
-    EXPECT_TRUE(none.nothing_in({0, 64}, {0, 64}));
+}
+
+TEST(ChooseDoubtful, IsWholeWhereTheFieldIsOpenAndNothingWhereItIsSure) {
+    FloatRaster inside(800, 200, logit(0.5));
+    for (int y = 0; y < 200; ++y)
+        std::fill(inside.row(y) + 400, inside.row(y) + 800, logit(y < 100 ? 0.98 : 0.02));
+    const FineShare share = choose_doubtful(inside, 0.4);
+    EXPECT_FLOAT_EQ(share.by_place(100, 100), 1.0F);
+    EXPECT_TRUE(share.nothing_in({600, 200}, {0, 200}));
+    float before = 1.0F;
+    for (int x = 0; x < 800; ++x) {
+        EXPECT_LE(share.by_place(x, 100), before + 1e-6F);
+        before = share.by_place(x, 100);
+    }
+    EXPECT_FLOAT_EQ(choose_doubtful(FloatRaster(3, 2, 0.0F), 0.4).by_place(1, 1), 1.0F);
 }
 
 TEST(Enlarged, LiesOverTheSamePlaces) {
