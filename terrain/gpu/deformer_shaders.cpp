@@ -90,11 +90,16 @@ float slide(float base_here, float base_there, float moved_here, float moved_the
     precise float raw = gain * (angle - holds) / room;
     float weight = min(max(raw, 0.0), 1.0);
     precise float amount = diffusion * (weight * size);
+    float quanta = quantised(amount);
 #else
     precise float threshold = repose * cell_size;
-    precise float amount = (abs(difference) - max(threshold, held)) * diffusion;
+    precise float holds = max(threshold, held) * diffusion;
+    precise float shift = quantum * 8388608.0;
+    precise float least = (shift - 0.5 * quantum) - (holds + 0.25 * quantum);
+    precise float raw = abs(difference) * diffusion;
+    precise float lowered = raw + least;
+    precise float quanta = max(lowered, shift) - shift;
 #endif
-    float quanta = quantised(amount);
     return from_there ? quanta : -quanta;
 }
 

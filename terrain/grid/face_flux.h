@@ -46,20 +46,18 @@ inline float face_diffusion(float a, float b) {
 }
 
 /// Slide through a face by the slope in excess of what holds (C.8, `Excess`), metres of height,
-/// unsigned; negative where the slope holds.
-/// @param holds  Height difference that stays: at least tan(repose) times the cell size, 0 or more.
-inline float excess_over(float difference, float holds, float diffusion) {
-    return (std::fabs(difference) - holds) * diffusion;
-}
-
-/// The same by the slope in excess of repose or of the base's.
-/// @param difference       Height difference across the face.
-/// @param base_difference  That of the base, if its own steepness holds (C.7); else 0.
-/// @param threshold        tan(repose) of the higher cell times the cell size.
-/// @param diffusion        Of the face, times the time step.
-inline float excess_slide(float difference, float base_difference, float threshold,
-                          float diffusion) {
-    return excess_over(difference, std::max(threshold, std::fabs(base_difference)), diffusion);
+/// unsigned, 0 where the slope holds; quantised().
+///
+/// What holds and the rounding are one number, which the loops keep where it is the same on every
+/// face. That number is itself rounded to halves of a quantum, hence the quarter.
+/// @param difference  Height difference across the face.
+/// @param holds       Difference that stays: tan(repose) of the higher cell times the cell size, or
+///                    the size of the base's difference if its own steepness holds (C.7).
+/// @param diffusion   Of the face, times the time step.
+inline float excess_slide(float difference, float holds, float diffusion, float quantum) {
+    const float shift = quantum * 8388608.0F;  // as in quantised()
+    const float least = (shift - 0.5F * quantum) - (holds * diffusion + 0.25F * quantum);
+    return std::max(std::fabs(difference) * diffusion + least, shift) - shift;
 }
 
 /// Slide through a face by the slope, weighted by its angle above repose (4.4 on faces, C.8

@@ -52,16 +52,17 @@ private:
         const bool from_neighbour = difference > 0.0F;
         const int hx = from_neighbour ? nx : x;  // the higher cell is the one that moves
         const int hy = from_neighbour ? ny : y;
-        const float holds = rule_.keep_base ? base_difference : 0.0F;
+        const float held = rule_.keep_base ? std::fabs(base_difference) : 0.0F;
         const float diffusion =
             face_diffusion(soil_.diffusion(x, y), soil_.diffusion(nx, ny)) * rule_.time_step;
-        const float amount =
+        const float quanta =
             rule_.slide == Slide::Excess
-                ? excess_slide(difference, holds, soil_.tan_repose(hx, hy) * rule_.cell_size,
-                               diffusion)
-                : weighted_slide(difference, holds, soil_.repose(hx, hy), diffusion,
-                                 rule_.per_cell_size, rule_.gain);
-        const float quanta = quantised(amount, rule_.quantum);
+                ? excess_slide(difference,
+                               std::max(soil_.tan_repose(hx, hy) * rule_.cell_size, held),
+                               diffusion, rule_.quantum)
+                : quantised(weighted_slide(difference, held, soil_.repose(hx, hy), diffusion,
+                                           rule_.per_cell_size, rule_.gain),
+                            rule_.quantum);
         return from_neighbour ? quanta : -quanta;
     }
 

@@ -3,6 +3,7 @@
 #include "terrain/grid/face_flux.h"
 #include "terrain/grid/tile_rows.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -19,16 +20,16 @@ template <bool kWeighted, bool kKeep>
     const float base_difference = b1 - b0;
     const float difference = base_difference + (u1 - u0);
     const float threshold = difference > 0.0F ? threshold1 : threshold0;
-    const float held = kKeep ? base_difference : 0.0F;
-    float amount;
+    const float held = kKeep ? std::fabs(base_difference) : 0.0F;
+    float quanta;
     if constexpr (kWeighted)
-        amount =
-            weighted_slide(difference, held, threshold, diffusion, rule.per_cell_size, rule.gain);
-    else if constexpr (kKeep)
-        amount = excess_slide(difference, held, threshold, diffusion);
+        quanta = quantised(
+            weighted_slide(difference, held, threshold, diffusion, rule.per_cell_size, rule.gain),
+            rule.quantum);
     else
-        amount = excess_over(difference, threshold, diffusion);
-    return std::copysign(quantised(amount, rule.quantum), difference);
+        quanta = excess_slide(difference, kKeep ? std::max(threshold, held) : threshold, diffusion,
+                              rule.quantum);
+    return std::copysign(quanta, difference);
 }
 
 /// Two rows of cells with faces between them.
