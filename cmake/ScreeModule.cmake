@@ -28,13 +28,14 @@ if(SCREE_SANITIZE)
     $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endif()
 
-# What nearly every file of a module includes, compiled once. Only the sanitizer builds do so: the
-# release build compiles each file on its own and so finds what forgot to include what it needs.
+# What nearly every file of a module includes, compiled once, which saves a third of the time. The
+# thread sanitizer's build and `debug` go without, and so find what forgot to include what it needs.
 function(scree_precompile target)
   if(SCREE_MODULE_PCH)
     target_precompile_headers(${target} PRIVATE <algorithm> <array> <cmath> <cstdint> <filesystem>
       <functional> <limits> <memory> <numbers> <optional> <span> <sstream> <string> <string_view>
       <utility> <vector> <glm/common.hpp> <glm/geometric.hpp> <glm/vec2.hpp> <glm/vec3.hpp> ${ARGN})
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)  # for ccache
     # What gcc wrongly warns of inside std::string is no longer told apart as the system's.
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>
       $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overread> $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>

@@ -108,11 +108,11 @@ TEST_F(Erode, TakesAMeshFromAFile) {
 
 TEST_F(Erode, AKilledRunResumesToTheSameResult) {
     json long_scene = scene();
-    long_scene["run"]["steps"] = 200;
+    long_scene["run"]["steps"] = 800;
     long_scene["output"] = {{"checkpoint_every", 3}, {"pictures", false}};
     write("s.json", long_scene);
     test::ProgramSetup setup;
-    setup.interrupt_after_ms = 400;
+    setup.interrupt_after_ms = 350;
     const ProgramRun killed = erode("s.json", "part", {"--quiet"}, setup);
     if (killed.status == 0)
         GTEST_SKIP() << "this machine is too fast to be interrupted";
