@@ -39,29 +39,27 @@ struct RowPair {
     void advance() { std::swap(here, next); }
 };
 
-/// Ask for the heights of a row to come: rows of the base are far apart in memory, where no machine
-/// looks ahead by itself.
-[[gnu::always_inline]] inline void fetch_row(const float* row, int n) {
+/// Ask for the lines of memory of a row; `kWrite` 1 if they will be written, `kLocality` as the
+/// compiler's intrinsic takes it.
+template <int kWrite, int kLocality>
+[[gnu::always_inline]] inline void prefetch_row([[maybe_unused]] const float* row,
+                                                [[maybe_unused]] int n) {
 #if defined(__GNUC__)
     constexpr int kLine = 16;  // floats
     for (int x = 0; x < n; x += kLine)
-        __builtin_prefetch(row + x, 0, 2);
-#else
-    (void)row;
-    (void)n;
+        __builtin_prefetch(row + x, kWrite, kLocality);
 #endif
+}
+
+/// Ask for the heights of a row to come: rows of the base are far apart in memory, where no machine
+/// looks ahead by itself.
+[[gnu::always_inline]] inline void fetch_row(const float* row, int n) {
+    prefetch_row<0, 2>(row, n);
 }
 
 /// The same of a row to be written: it is read before a part of it can change.
 [[gnu::always_inline]] inline void fetch_row_to_write(float* row, int n) {
-#if defined(__GNUC__)
-    constexpr int kLine = 16;  // floats
-    for (int x = 0; x < n; x += kLine)
-        __builtin_prefetch(row + x, 1, 3);
-#else
-    (void)row;
-    (void)n;
-#endif
+    prefetch_row<1, 3>(row, n);
 }
 
 /// Fluxes through the four faces of a row of cells, and what is pressed together in them.
