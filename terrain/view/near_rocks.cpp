@@ -56,11 +56,15 @@ bool is_finite(const glm::mat4& matrix) {
     return true;
 }
 
-float highest_of(const meshing::TriMesh& mesh, const glm::mat4& ground_from_rock) {
-    float highest = -std::numeric_limits<float>::infinity();
-    for (const glm::vec3& corner : mesh.positions)
-        highest = std::max(highest, (ground_from_rock * glm::vec4(corner, 1.0F)).y);
-    return highest;
+/// How far a rock reaches above the ground, and from its centre aside.
+glm::vec2 reach_of(const meshing::TriMesh& mesh, const glm::mat4& ground_from_rock) {
+    glm::vec2 reach(0.0F);
+    for (const glm::vec3& corner : mesh.positions) {
+        const glm::vec4 from_centre = ground_from_rock * glm::vec4(corner, 0.0F);
+        reach.x = std::max(reach.x, from_centre.y + ground_from_rock[3].y);
+        reach.y = std::max(reach.y, std::hypot(from_centre.x, from_centre.z));
+    }
+    return reach;
 }
 
 }  // namespace
@@ -78,8 +82,8 @@ NearRocks::NearRocks(const GroundRocks& rocks) {
                                rocks.meshes.size());
         if (!is_finite(place.ground_from_rock))
             fail<InvalidInput>("rock ", i, " has a place that is no finite number");
-        const float highest = highest_of(rocks.meshes[place.mesh], place.ground_from_rock);
-        places_.push_back({place.ground_from_rock, {std::max(highest, 0.0F), 0.0F, 0.0F, 0.0F}});
+        const glm::vec2 reach = reach_of(rocks.meshes[place.mesh], place.ground_from_rock);
+        places_.push_back({place.ground_from_rock, {reach, 0.0F, 0.0F}});
         mesh_of_.push_back(place.mesh);
     }
     if (places_.empty())
@@ -108,12 +112,30 @@ NearRocks::NearRocks(const GroundRocks& rocks) {
     check_gl("loading the rocks");
 }
 
+bool NearRocks::is_near(const Place& place, const glm::vec3& eye, float near_m) {
+    const glm::vec4& at = place.ground_from_rock[3];
+    return std::hypot(at.x - eye.x, at.z - eye.z) < near_m;
+}
+
+ViewBox NearRocks::bounds(const glm::vec3& eye, float near_m) const {
+    constexpr float kFar = std::numeric_limits<float>::max();
+    ViewBox box{glm::vec3(kFar), glm::vec3(-kFar)};
+    for (const Place& place : places_) {
+        if (!is_near(place, eye, near_m))
+            continue;
+        const glm::vec4& at = place.ground_from_rock[3];
+        const float aside = place.reach.y;
+        box.add({at.x - aside, 0.0F, at.z - aside});
+        box.add({at.x + aside, place.reach.x, at.z + aside});
+    }
+    return box;
+}
+
 void NearRocks::draw(const ShaderProgram& program, const glm::vec3& eye, float near_m) {
     std::vector<Place> shown;
     std::vector<std::size_t> meshes;
     for (std::size_t i = 0; i < places_.size(); ++i) {
-        const glm::vec4& at = places_[i].ground_from_rock[3];
-        if (std::hypot(at.x - eye.x, at.z - eye.z) >= near_m)
+        if (!is_near(places_[i], eye, near_m))
             continue;
         shown.push_back(places_[i]);
         meshes.push_back(mesh_of_[i]);

@@ -16,6 +16,7 @@ public:
 
     /// Clear it and call `draw` with it as what is drawn to.
     void fill(const std::function<void()>& draw) const;
+    int size() const { return side_; }
     unsigned texture() const { return depth_.id(); }
 
 private:

@@ -236,13 +236,14 @@ constexpr const char* kNearRock = R"glsl(
 in vec3 world;
 in vec3 shading_normal;
 layout(location = 0) out vec4 picture;
+uniform float normal_reach;
 
 void main() {
     vec3 n = normalize(shading_normal);
     // Its neighbours take the sky from its sides.
     float open = 0.55 + 0.45 * clamp(n.y, 0.0, 1.0);
     vec3 albedo_ = scree_ground_colour(world.xz);
-    picture = vec4(shown(lit_colour(albedo_, n, open, object_shadow(world), 0.9, world)), 1.0);
+    picture = vec4(shown(lit_colour(albedo_, n, open, object_shadow(world + n * normal_reach), 0.9, world)), 1.0);
 }
 )glsl";
 

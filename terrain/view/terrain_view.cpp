@@ -61,12 +61,13 @@ struct TerrainView::State {
     GlVertexArray no_corners;
     DepthMap shadow_map, undersides;
     ShaderProgram depth_program, line_program, ground_program, wall_program, object_program,
-        shadow_program, rock_program;
+        shadow_program, rock_program, rock_shadow_program;
 
     // Of the frame being drawn.
     glm::mat4 clip{1.0F}, shadow{1.0F};
     glm::vec3 sun{0.0F, 1.0F, 0.0F};
-    ViewBox casters;
+    ViewBox objects_box;        // of the objects alone
+    float shadow_reach = 0.0F;  // texels of the shadow map this far apart are told apart, metres
     float foot = 0.0F;
     float near_m = 0.0F;  // within it rocks are meshes; 0 where there are none
 
@@ -130,7 +131,11 @@ void TerrainView::State::load_programs() {
         rock_program = ShaderProgram(
             "the rocks", {{ShaderStage::Vertex, near_rock_vertex_glsl()},
                           {ShaderStage::Fragment, near_rock_fragment_glsl(ground.shaders())}});
+        rock_shadow_program =
+            ShaderProgram("the rocks' shadows", {{ShaderStage::Vertex, near_rock_vertex_glsl()},
+                                                 {ShaderStage::Fragment, shadow_fragment_glsl()}});
         GroundTextures::set_samplers(rock_program);
+        GroundTextures::set_samplers(rock_shadow_program);
     }
     for (const ShaderProgram* program :
          {&depth_program, &line_program, &ground_program, &wall_program})
@@ -161,10 +166,21 @@ void TerrainView::State::prepare(const TerrainFrame& frame) {
     foot = ground.lowest() - reach - 0.045F * std::max(ground.size().x, ground.size().y);
     const ViewBox block{{low.x, foot, low.y}, {high.x, ground.highest() + reach, high.y}};
     const glm::vec3 middle = 0.5F * (block.low + block.high);
-    casters = bounds_of(frame.objects, middle);
+    objects_box = bounds_of(frame.objects, middle);
     ViewBox scene = block;
-    scene.add(casters.low);
-    scene.add(casters.high);
+    scene.add(objects_box.low);
+    scene.add(objects_box.high);
+    ViewBox casters = objects_box;
+    const ViewBox near = rocks.bounds(frame.camera.eye, near_m);
+    if (near.low.x <= near.high.x) {
+        if (frame.objects.empty())
+            casters = {near.low + glm::vec3(0.0F, ground.lowest(), 0.0F),
+                       near.high + glm::vec3(0.0F, ground.highest(), 0.0F)};
+        casters.add(near.low + glm::vec3(0.0F, ground.lowest(), 0.0F));
+        casters.add(near.high + glm::vec3(0.0F, ground.highest(), 0.0F));
+    }
+    shadow_reach =
+        2.0F * glm::distance(casters.low, casters.high) / static_cast<float>(shadow_map.size());
     clip =
         clip_from_world(frame.camera, static_cast<double>(options.width) / options.height, scene);
     shadow = shadow_from_world(sun, casters, block);
@@ -180,13 +196,13 @@ void TerrainView::State::set_common(const ShaderProgram& program, const TerrainF
     program.set("near_m", near_m);
 }
 
-// The objects' depth from the sun and from straight below.
+// The objects' and the near rocks' depth from the sun, and the objects' from straight below.
 void TerrainView::State::draw_object_depths(const TerrainFrame& frame) {
-    shadow_program.use();
+    // The map's matrix ends at 0 to 1; clip space wants -1 to 1.
+    glm::mat4 clip_from_map(2.0F);
+    clip_from_map[3] = glm::vec4(-1.0F, -1.0F, -1.0F, 1.0F);
     const auto draw = [&](const glm::mat4& map_from_world) {
-        // The map's matrix ends at 0 to 1; clip space wants -1 to 1.
-        glm::mat4 clip_from_map(2.0F);
-        clip_from_map[3] = glm::vec4(-1.0F, -1.0F, -1.0F, 1.0F);
+        shadow_program.use();
         for (const TerrainObject& object : frame.objects) {
             const DrawnMesh& mesh = objects.get(object);
             shadow_program.set("shadow_from_object",
@@ -195,8 +211,15 @@ void TerrainView::State::draw_object_depths(const TerrainFrame& frame) {
             glDrawArrays(GL_TRIANGLES, 0, mesh.n_drawn);
         }
     };
-    shadow_map.fill([&] { draw(shadow); });
-    undersides.fill([&] { draw(under_from_world(casters)); });
+    shadow_map.fill([&] {
+        draw(shadow);
+        if (!(near_m > 0.0F))
+            return;
+        set_common(rock_shadow_program, frame);
+        rock_shadow_program.set("clip_from_world", clip_from_map * shadow);
+        rocks.draw(rock_shadow_program, frame.camera.eye, near_m);
+    });
+    undersides.fill([&] { draw(under_from_world(objects_box)); });
 }
 
 void TerrainView::State::draw_lattice(const TerrainFrame& frame,
@@ -239,10 +262,11 @@ void TerrainView::State::draw_ground(const TerrainFrame& frame, ViewMode mode) c
                        2.0F / glm::vec2(target.samples_across(), target.samples_down()));
     ground_program.set("height_scale",
                        glm::vec3(ground.lowest(), 1.0F / span, static_cast<float>(contour)));
-    const glm::vec3 size = glm::max(casters.high - casters.low, glm::vec3(1e-6F));
+    const ViewBox& under = objects_box;
+    const glm::vec3 size = glm::max(under.high - under.low, glm::vec3(1e-6F));
     ground_program.set("under_area",
-                       glm::vec4(casters.low.x, casters.low.z, 1.0F / size.x, 1.0F / size.z));
-    ground_program.set("under_range", glm::vec2(casters.low.y, size.y));
+                       glm::vec4(under.low.x, under.low.z, 1.0F / size.x, 1.0F / size.z));
+    ground_program.set("under_range", glm::vec2(under.low.y, size.y));
     ground_program.set("under_size",
                        frame.objects.empty() ? 0.0F : object_size(frame.objects.front()));
     ground_program.use();
@@ -271,6 +295,7 @@ void TerrainView::State::draw_rocks(const TerrainFrame& frame) {
     if (!(near_m > 0.0F))
         return;
     set_common(rock_program, frame);
+    rock_program.set("normal_reach", shadow_reach);
     rocks.draw(rock_program, frame.camera.eye, near_m);
 }
 
@@ -314,8 +339,8 @@ Photo TerrainView::draw(const TerrainFrame& frame, ViewMode mode) {
     s.near_m = mode == ViewMode::Textured && !s.rocks.empty() ? static_cast<float>(s.options.near_m)
                                                               : 0.0F;
     s.prepare(frame);
-    s.draw_object_depths(frame);
     s.ground.bind();
+    s.draw_object_depths(frame);
     glBindTextureUnit(kShadowUnit, s.shadow_map.texture());
     glBindTextureUnit(kUnderUnit, s.undersides.texture());
     s.draw_ground(frame, mode);

@@ -210,6 +210,47 @@ TEST_F(TerrainViews, RocksRiseWithoutAJump) {
     EXPECT_LT(half, 0.9 * all);
 }
 
+// Middle of the pixels that the rock makes darker, in pixels from the middle of the picture.
+glm::dvec2 middle_of_darkened(const Photo& without, const Photo& with) {
+    glm::dvec2 sum(0.0);
+    double n = 0.0;
+    for (int y = 0; y < with.height(); ++y)
+        for (int x = 0; x < with.width(); ++x)
+            if (int{without(x, y).y} - int{with(x, y).y} > 25) {
+                sum += glm::dvec2(x, y);
+                n += 1.0;
+            }
+    EXPECT_GT(n, 50.0);
+    return sum / n - 0.5 * glm::dvec2(with.width(), with.height());
+}
+
+// From straight above: the shadow falls to the one side in the morning, to the other in the
+// evening.
+TEST_F(TerrainViews, NearRocksCastShadows) {
+    map_.materials[2].gravel = true;
+    TerrainGround bare{&base_, &map_, {}, {}};
+    TerrainGround with_rock = bare;
+    with_rock.rocks.meshes.push_back(ball_);
+    with_rock.rocks.places.push_back(
+        {0, glm::scale(glm::translate(glm::mat4(1.0F), {3.3F, 0.15F, 2.0F}), glm::vec3(0.2F))});
+    const TerrainViewOptions options{.width = 160, .height = 160, .near_m = 20.0};
+    const auto darkened = [&](double azimuth_deg) {
+        TerrainFrame shown = frame();
+        shown.camera.target = {3.3F, 0.0F, 2.0F};
+        shown.camera.eye = {3.3F, 2.5F, 2.01F};
+        shown.light.azimuth_deg = azimuth_deg;
+        shown.light.elevation_deg = 30.0;
+        TerrainView without(context(), bare, options);
+        TerrainView with(context(), with_rock, options);
+        return middle_of_darkened(without.draw(shown), with.draw(shown));
+    };
+    const glm::dvec2 morning = darkened(90.0);
+    const glm::dvec2 evening = darkened(270.0);
+    EXPECT_GT(glm::length(morning), 4.0);
+    EXPECT_GT(glm::length(evening), 4.0);
+    EXPECT_LT(glm::dot(glm::normalize(morning), glm::normalize(evening)), -0.8);
+}
+
 TEST_F(TerrainViews, HaveNoCracks) {
     // The last far range ends in the middle of the picture.
     for (const auto& [tessellation, far_m] :
