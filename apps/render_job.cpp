@@ -2,13 +2,11 @@
 
 #include "apps/ground_file.h"
 #include "base/whole_file.h"
-#include "meshing/gltf/gltf_read.h"
 #include "terrain/material/map_files.h"
+#include "terrain/view/ground_rocks.h"
 #include "vision/image_io.h"
 
 #include <utility>
-
-#include <glm/ext/matrix_transform.hpp>
 
 namespace scree::apps {
 namespace {
@@ -28,21 +26,6 @@ FloatRaster read_displacement_of(const RenderJob& job, const Heightfield& ground
                            image.metres.height(), " cells, ", job.heights.string(), " has ",
                            ground.heights.width(), " x ", ground.heights.height());
     return std::move(image.metres);
-}
-
-// Every mesh that the file's scene shows is a rock; its origin lies in the middle of the ground.
-terrain::GroundRocks read_rocks(const std::filesystem::path& file, const Heightfield& ground) {
-    meshing::LoadedGltf loaded =
-        meshing::read_glb(file, {.max_vertices = 5'000'000, .max_triangles = 10'000'000});
-    terrain::GroundRocks rocks;
-    for (meshing::GltfMesh& mesh : loaded.meshes)
-        rocks.meshes.push_back(std::move(mesh.geometry));
-    const glm::dvec3 middle(0.5 * ground.cell_size * ground.heights.width(), 0.0,
-                            0.5 * ground.cell_size * ground.heights.height());
-    for (const meshing::GltfPlacement& placement : loaded.placements)
-        rocks.places.push_back({placement.mesh, glm::mat4(glm::translate(glm::dmat4(1.0), middle) *
-                                                          placement.world_from_mesh)});
-    return rocks;
 }
 
 terrain::TerrainFrame frame_of(const RenderJob& job, const Heightfield& ground) {
@@ -71,7 +54,7 @@ std::string run_render_job(const RenderJob& job) {
         shown.looks = terrain::load_looks(map);
     }
     if (!job.rocks.empty())
-        shown.rocks = read_rocks(job.rocks, ground);
+        shown.rocks = terrain::read_ground_rocks(job.rocks, ground);
     const auto context = terrain::GlContext::make({.software = job.software});
     terrain::TerrainView view(*context, shown, job.view);
     terrain::TerrainFrame frame = frame_of(job, ground);

@@ -83,6 +83,13 @@ struct SceneCamera {
     double light_azimuth_deg = -55.0, light_elevation_deg = 32.0;
 };
 
+/// Rocks that lie on the ground and are drawn as meshes where they are near the eye; they ride on
+/// it, and nothing moves them aside.
+struct SceneRocks {
+    std::filesystem::path file;  ///< GLB; empty: none.
+    double near_m = 0.0;         ///< As TerrainViewOptions::near_m.
+};
+
 /// What a run writes beside the height maps.
 struct SceneOutputs {
     int picture_width = 640, picture_height = 400;  ///< px
@@ -109,6 +116,7 @@ struct Scene {
     bool settle = false;  ///< Bring the ground to rest when the last frame is over.
     std::uint64_t seed = 1;
     SceneCamera camera;
+    SceneRocks rocks;
     SceneOutputs outputs;
     /// Files that the scene names and the JSON path of each, for messages.
     std::vector<std::pair<std::filesystem::path, std::string>> files;

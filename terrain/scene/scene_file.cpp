@@ -128,6 +128,17 @@ SceneOutputs outputs_from(const json& value, const JsonPlace& place) {
     return out;
 }
 
+SceneRocks rocks_from(const json& value, const JsonPlace& place, const fs::path& folder,
+                      Scene& scene) {
+    JsonObject object(value, place);
+    SceneRocks rocks;
+    rocks.file = file_of(object.get("file"), object.at("file"), folder, scene);
+    object.get("near_m");
+    rocks.near_m = object.number("near_m", 0.0, 0, 1e6);
+    object.finish();
+    return rocks;
+}
+
 void read_ground_members(JsonObject& object, const fs::path& folder, Scene& scene) {
     scene.ground = ground_from(object.get("ground"), object.at("ground"), folder, scene);
     const json* map = object.find("map");
@@ -193,6 +204,8 @@ Scene scene_from_json(std::string_view text, const std::string& source, const fs
             integer_of(*seed, object.at("seed"), 0, std::numeric_limits<int>::max()));
     if (const json* camera = object.find("camera"))
         scene.camera = camera_from(*camera, object.at("camera"));
+    if (const json* rocks = object.find("rocks"))
+        scene.rocks = rocks_from(*rocks, object.at("rocks"), folder, scene);
     if (const json* outputs = object.find("outputs"))
         scene.outputs = outputs_from(*outputs, object.at("outputs"));
     object.finish();

@@ -2,6 +2,7 @@
 
 #include "meshing/render/raster_view.h"
 #include "terrain/scene/ground_mesh.h"
+#include "terrain/view/ground_rocks.h"
 #include "terrain/view/terrain_view.h"
 
 #include <algorithm>
@@ -77,7 +78,8 @@ TerrainCamera camera_of(const Scene& scene, const Simulation& simulation) {
 class GlPainter : public ScenePainter {
 public:
     GlPainter(const Scene& scene, const Simulation& simulation, std::unique_ptr<GlContext> context)
-        : context_(std::move(context)), view_(*context_, ground_of(simulation), options_of(scene)) {
+        : context_(std::move(context)),
+          view_(*context_, ground_of(scene, simulation), options_of(scene)) {
         const SceneCamera& camera = scene.camera;
         frame_.camera = camera_of(scene, simulation);
         frame_.light.azimuth_deg = camera.light_azimuth_deg;
@@ -98,11 +100,17 @@ public:
     std::string renderer() const override { return context_->device(); }
 
 private:
-    static TerrainGround ground_of(const Simulation& simulation) {
-        return {&simulation.base(), &simulation.map(), load_looks(simulation.map()), {}};
+    static TerrainGround ground_of(const Scene& scene, const Simulation& simulation) {
+        TerrainGround ground{
+            &simulation.base(), &simulation.map(), load_looks(simulation.map()), {}};
+        if (!scene.rocks.file.empty())
+            ground.rocks = read_ground_rocks(scene.rocks.file, simulation.base());
+        return ground;
     }
     static TerrainViewOptions options_of(const Scene& scene) {
-        return {.width = scene.outputs.picture_width, .height = scene.outputs.picture_height};
+        return {.width = scene.outputs.picture_width,
+                .height = scene.outputs.picture_height,
+                .near_m = scene.rocks.near_m};
     }
 
     std::unique_ptr<GlContext> context_;  // outlives the view

@@ -91,6 +91,23 @@ TEST_F(Deform, WritesTheGroundItsPicturesAndAReport) {
     EXPECT_EQ(test::scree({"check", dir_ / "out/terrain.glb"}).status, 0);
 }
 
+TEST_F(Deform, RocksOfTheSceneStandNearTheEye) {
+    ASSERT_EQ(test::scree({"procedural", "-o", dir_ / "r.glb", "--seed", "3", "--quiet"}).status,
+              0);
+    const auto picture = [&](const std::string& near_m) {
+        write_with(R"("frames": 12)",
+                   R"("rocks": {"file": "r.glb", "near_m": )" + near_m + R"(}, "frames": 1)");
+        const ProgramRun run = deform({"--quiet"}, "near" + near_m);
+        EXPECT_EQ(run.status, 0) << run.errors;
+        return vision::read_photo(dir_ / ("near" + near_m) / "frames/0001.png").pixels;
+    };
+    const Photo none = picture("0");
+    const std::string renderer = report("near0")["renderer"];
+    if (renderer.find("software (") == 0)
+        GTEST_SKIP() << "no OpenGL: " << renderer;
+    EXPECT_NE(picture("1000"), none);
+}
+
 TEST_F(Deform, ReportSaysWhatHappened) {
     ASSERT_EQ(deform({"--no-frames", "--quiet"}).status, 0);
     const json said = report();

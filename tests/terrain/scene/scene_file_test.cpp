@@ -158,6 +158,8 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"settle zero border",
               with_ground(R"("deformer": {"border": "zero"}, "settle": true)"), "settle",
               "take border no-flux"},
+        Wrong{"rocks nowhere", with_ground(R"("rocks": {"near_m": 1})"), "rocks.file",
+              "is missing"},
         Wrong{"twice", with_ground(R"("map": "m.json", "materials": [])"), "map",
               "stands beside materials"}),
     [](const auto& wrong) {
