@@ -22,7 +22,7 @@ def write_card(path, args, real, extra, seconds, steps, net):
     lines += ["", f"Left out: {', '.join(left_out) if left_out else 'none, trained on all of them'}.", "", "## Training", "",
               f"- {sum(v.numel() for v in net.parameters()):,} weights, channels {', '.join(map(str, args.channels))}",
               f"- {steps} steps of {args.batch} crops, seed {args.seed}, rate {args.rate:g}, border weight {args.border_weight:g}, "
-              f"share of synthetic crops {args.extra_share if extra else 0:g}",
+              f"share of synthetic crops {args.extra_share if extra else 0:g}, with things over them {args.things:g}",
               f"- {seconds / 60:.0f} minutes on {args.threads} thread(s)"]
     figures = os.path.join(os.path.dirname(os.path.abspath(args.out)), "folds.json")
     if os.path.exists(figures):

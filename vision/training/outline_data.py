@@ -8,6 +8,7 @@ import numpy as np
 from scipy import ndimage as ndi
 
 from outline_net import normalise
+from things_over import put_thing
 
 SIZE = 224
 SCALES = (0.25, 2.2)       # of a crop
@@ -95,8 +96,11 @@ def relight(x, rng):
     return x
 
 
-def crop(picture, rng, size=SIZE):
-    """One turned, mirrored, stretched, relit crop -> input 3 x S x S, target 3 x S x S, weight S x S."""
+def crop(picture, rng, size=SIZE, things=0.0):
+    """One turned, mirrored, stretched, relit crop -> input 3 x S x S, target 3 x S x S, weight S x S.
+
+    things: how likely a hand, a scale card or the like lies over it.
+    """
     h, w = picture.edge.shape
     scale = np.exp(rng.uniform(np.log(max(SCALES[0], 0.5 * size / max(h, w))), np.log(SCALES[1])))
     stretch = np.exp(rng.normal(0, 0.1))
@@ -115,8 +119,11 @@ def crop(picture, rng, size=SIZE):
     x = cv2.warpAffine(picture.rgb[level], part, (size, size), flags=cv2.INTER_LINEAR, **border)
     planes = [cv2.warpAffine(v, m, (size, size), flags=cv2.INTER_LINEAR, **border)
               for v in (picture.edge, picture.inside, picture.distance, picture.weight)]
-    boundary = np.exp(-(planes[0] * scale) ** 2 / (2 * BORDER ** 2))
-    x = normalise(relight(x.astype(np.float32) / 255, rng))
+    x, planes[0] = x.astype(np.float32) / 255, planes[0] * scale
+    if rng.random() < things:
+        x, planes = put_thing(x, planes, rng, BORDER)
+    boundary = np.exp(-planes[0] ** 2 / (2 * BORDER ** 2))
+    x = normalise(relight(x, rng))
     return x.transpose(2, 0, 1), np.stack([boundary, *planes[1:3]]), planes[3]
 
 

@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 """Train the outline network by folds of pictures, score each on what it never saw, then train it on all.
 
-usage: train_folds.py OUT SYNTHETIC FOLDER... [--parts 0 1 2,3] [--jobs N]
+usage: train_folds.py OUT SYNTHETIC FOLDER... [--folds N] [--parts 0 1 2,3] [--jobs N]
 
 SYNTHETIC is a folder made by the program synthetic_photos. Written: OUT/start (synthetic pictures
 alone), OUT/fold_P for every part P of the folds (the left-out pictures' fields among it),
-OUT/folds.json with their figures, and OUT/all, the network to ship with its card. What is already
-there is kept, so an interrupted run goes on.
+OUT/folds.json with their figures, and OUT/all, the network to ship with its card. All are trained
+alike. What is already there is kept, so an interrupted run goes on.
 """
 import argparse
 import glob
@@ -34,11 +34,11 @@ def train(out, folders, *more):
     return os.path.join(out, "weights.pt")
 
 
-def two_rounds(out, args, start, steps, seed, *more):
-    """The rate falls to zero in each round; the second has fewer synthetic pictures."""
+def two_rounds(out, args, start, *more):
+    """The rate falls to zero in each round; the second has fewer synthetic pictures, but things that are no rocks."""
     for k, folder in enumerate((out + "_first", out)):
         start = train(folder, args.folders, "--extra", args.synthetic, "--extra-share", args.shares[k], "--start", start,
-                      "--rate", 2e-3, "--steps", steps[k], "--seed", seed + k, *more)
+                      "--rate", 2e-3, "--steps", args.steps[k], "--things", args.things[k], "--seed", 10 + k, *more)
 
 
 def regions(field):
@@ -69,19 +69,21 @@ def main():
     a.add_argument("synthetic")
     a.add_argument("folders", nargs="+")
     a.add_argument("--start-steps", type=int, default=1500, help="on synthetic pictures alone")
-    a.add_argument("--steps", type=int, nargs=2, default=[1100, 1000], help="for each part of the folds, in two rounds")
-    a.add_argument("--last", type=int, nargs=2, default=[2200, 2400], help="on all pictures")
+    a.add_argument("--steps", type=int, nargs=2, default=[2200, 2400], help="in two rounds")
     a.add_argument("--shares", type=float, nargs=2, default=[0.25, 0.1], help="of synthetic crops in each round")
-    a.add_argument("--parts", nargs="*", default=["0", "1", "2,3"], help="folds of four left out together")
+    a.add_argument("--things", type=float, nargs=2, default=[0, 0.15], help="share of crops with a thing over them in each round")
+    a.add_argument("--folds", type=int, default=6, help="into which the pictures of every folder are dealt")
+    a.add_argument("--parts", nargs="*", help="folds left out together, with commas; each by itself if not given")
     a.add_argument("--jobs", type=int, default=2)
     args = a.parse_args()
     start = train(os.path.join(args.out, "start"), [args.synthetic], "--steps", args.start_steps, "--seed", 5)
+    parts = args.parts if args.parts is not None else [str(f) for f in range(args.folds)]
     with ThreadPoolExecutor(args.jobs) as pool:
-        list(pool.map(lambda p: two_rounds(os.path.join(args.out, "fold_" + p), args, start, args.steps, 10, "--fold", p),
-                      args.parts))
+        list(pool.map(lambda p: two_rounds(os.path.join(args.out, "fold_" + p), args, start, "--folds", args.folds, "--fold", p),
+                      parts))
     with open(os.path.join(args.out, "folds.json"), "w") as file:
         json.dump(figures(args.out, args.folders), file, indent=1)
-    two_rounds(os.path.join(args.out, "all"), args, start, args.last, 20)
+    two_rounds(os.path.join(args.out, "all"), args, start)  # its card has the figures
 
 
 if __name__ == "__main__":

@@ -50,7 +50,7 @@ def batches(pictures, chances, args):
     def work():
         for k in range(1 << 40):
             rng = np.random.default_rng([args.seed, k])
-            made = [crop(pictures[i], rng) for i in rng.choice(len(pictures), args.batch, p=chances)]
+            made = [crop(pictures[i], rng, things=args.things) for i in rng.choice(len(pictures), args.batch, p=chances)]
             if args.flow:
                 made = [(x, np.concatenate([want, flow(want[2])]), weight) for x, want, weight in made]
             ready.put([torch.from_numpy(np.ascontiguousarray(np.stack(v), np.float32)) for v in zip(*made)])
@@ -119,6 +119,7 @@ def arguments():
     a.add_argument("--rate", type=float, default=RATE)
     a.add_argument("--batch", type=int, default=BATCH)
     a.add_argument("--border-weight", type=float, default=1.0, help="pixels at a border count 1 + this")
+    a.add_argument("--things", type=float, default=0.0, help="share of crops with a hand, scale card or the like over them")
     a.add_argument("--flow", action="store_true", help="learn the way to the middle beside the distance")
     a.add_argument("--channels", type=lambda t: tuple(map(int, t.split(","))), default=CHANNELS)
     a.add_argument("--threads", type=int, default=os.cpu_count())
