@@ -1,4 +1,4 @@
-"""Hands, scale cards, rulers, coins and pens over a crop: what lies among stones and is none."""
+"""Hands, scale cards, rulers, coins, pens and shells over a crop: what lies among stones and is none."""
 import cv2
 import numpy as np
 
@@ -111,12 +111,12 @@ def print_of(rng, x, y, a, b, colour):
 
 
 def draw_flat(rng, size):
-    """A card, a ruler, a coin or a pen; otherwise as draw_hand()."""
-    kind = rng.choice(4, p=[0.45, 0.25, 0.12, 0.18])
-    a = np.exp(rng.uniform(np.log(0.08), np.log(0.7))) * size
-    b = a * (rng.uniform(0.35, 1), rng.uniform(0.06, 0.25), 1, rng.uniform(0.03, 0.12))[kind]
-    if kind == 2:
-        a = b = np.exp(rng.uniform(np.log(0.04), np.log(0.2))) * size
+    """A card, a ruler, a coin, a pen or a shell; otherwise as draw_hand()."""
+    kind = rng.choice(5, p=[0.35, 0.2, 0.15, 0.15, 0.15])
+    a = np.exp(rng.uniform(np.log(0.06), np.log(0.7))) * size
+    b = a * (rng.uniform(0.35, 1), rng.uniform(0.06, 0.25), 1, rng.uniform(0.03, 0.12), rng.uniform(0.8, 1.1))[kind]
+    if kind in (2, 4):
+        a, b = np.array([a, b]) / a * np.exp(rng.uniform(np.log(0.04), np.log(0.2))) * size
     b = max(b, 3.0)
     angle = rng.uniform(0, 2 * np.pi)
     centre = rng.uniform(0, 1, 2) * size
@@ -138,6 +138,15 @@ def draw_flat(rng, size):
         relief = np.where(off > 0.85 * a, 0.25, np.where(off < 0.6 * a, np.clip(grain, -0.3, 0.3), 0))
         metal = np.float32([[0.62, 0.62, 0.6], [0.6, 0.42, 0.25], [0.7, 0.6, 0.3]])[rng.integers(3)]
         look = metal * np.float32(0.8 + relief + 0.25 * np.cos(np.arctan2(v, u) - rng.uniform(0, 6)))[..., None]
+    elif kind == 4:  # a fan from the hinge, ribbed and banded
+        x, y = u / a, v / b + 0.9
+        angle, off = np.arctan2(x, y), np.hypot(x, y)
+        ribs, reach = rng.integers(12, 32), 1.8 * np.cos(0.75 * np.clip(angle, -1.9, 1.9))
+        within = (np.maximum(reach, 0.02) * (1 + 0.02 * np.cos(ribs * angle)) - off) * b
+        tone = rng.choice(np.float32([[0.8, 0.72, 0.62], [0.75, 0.5, 0.4], [0.6, 0.55, 0.5], [0.4, 0.3, 0.3]]))
+        dark = 1 + rng.uniform(0.05, 0.3) * np.cos(ribs * angle) + rng.uniform(0, 0.3) * np.sin(off * rng.uniform(5, 20))
+        light = light * np.sqrt(np.clip(1 - (0.6 * off / np.maximum(reach, 0.1)) ** 2, 0.1, 1))
+        look = tone * np.float32(dark)[..., None]
     else:
         within = b - np.hypot(v, np.maximum(np.abs(u) - a + b, 0))
         bands = rng.uniform(0.02, 0.9, (6, 3)).astype(np.float32)
@@ -153,7 +162,7 @@ def put_thing(rgb, planes, rng, border):
     it covers in part, only the new border is known.
     """
     size = rgb.shape[0]
-    thing, within = draw_hand(rng, size) if rng.random() < 0.5 else draw_flat(rng, size)
+    thing, within = draw_hand(rng, size) if rng.random() < 0.4 else draw_flat(rng, size)
     cover = np.clip(within + 0.5, 0, 1)
     reach = rng.uniform(2, 0.1 * size)
     shift = np.float32([[1, 0, rng.normal(0, reach)], [0, 1, rng.normal(0, reach)]])

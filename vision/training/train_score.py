@@ -92,7 +92,7 @@ def fit(rows, columns, epochs, hidden, weight, seed):
     overlap = rows[:, :1]
     net = Network([len(columns), *hidden, 3], seed)
     net.train(rows[:, columns], np.concatenate([overlap > 0.5, overlap > 0.7, overlap], 1).astype(np.float32),
-              np.repeat(weight[:, None], 3, 1), epochs, 4e-3, seed, batch=1024)
+              np.repeat(weight[:, None], 3, 1), epochs, 4e-3, seed, batch=1024, decay=1e-3)
     return net
 
 
