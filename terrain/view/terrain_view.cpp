@@ -171,13 +171,14 @@ void TerrainView::State::prepare(const TerrainFrame& frame) {
     scene.add(objects_box.low);
     scene.add(objects_box.high);
     ViewBox casters = objects_box;
-    const ViewBox near = rocks.bounds(frame.camera.eye, near_m);
+    ViewBox near = rocks.bounds(frame.camera.eye, near_m);
     if (near.low.x <= near.high.x) {
+        near.low.y += ground.lowest();
+        near.high.y += ground.highest();
         if (frame.objects.empty())
-            casters = {near.low + glm::vec3(0.0F, ground.lowest(), 0.0F),
-                       near.high + glm::vec3(0.0F, ground.highest(), 0.0F)};
-        casters.add(near.low + glm::vec3(0.0F, ground.lowest(), 0.0F));
-        casters.add(near.high + glm::vec3(0.0F, ground.highest(), 0.0F));
+            casters = near;
+        casters.add(near.low);
+        casters.add(near.high);
     }
     shadow_reach =
         2.0F * glm::distance(casters.low, casters.high) / static_cast<float>(shadow_map.size());

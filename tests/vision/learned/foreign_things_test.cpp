@@ -1,19 +1,11 @@
 #include "testdata/gravel_scene.h"
 #include "testdata/laid_things.h"
-#include "vision/rock_extraction.h"
+#include "tests/vision/learned/found_labels.h"
 
 #include <gtest/gtest.h>
 
 namespace scree::vision {
 namespace {
-
-LabelMap found_in(const Photo& photo) {
-    const RockExtraction extraction = extract_rocks(photo, {.method = Method::Learned});
-    std::vector<Outline> outlines;
-    for (const Rock& rock : extraction.rocks.rocks)
-        outlines.push_back(rock.outline);
-    return paint_labels(outlines, photo.width(), photo.height());
-}
 
 struct Claim {
     int thing = 0;  ///< Pixels.
@@ -45,7 +37,7 @@ TEST(ForeignThings, RulersAreNoRocks) {
         const double azimuth = 0.7 * static_cast<double>(seed);
         const Mask ruler = test::lay_ruler(
             photo, {.centre = {180.0, 150.0}, .half_size = half, .azimuth = azimuth});
-        add_claim(claim, found_in(photo), ruler);
+        add_claim(claim, found_labels(photo), ruler);
     }
     EXPECT_GT(claim.thing, 15000);
     EXPECT_LT(claim.share(), 0.2);
@@ -65,7 +57,7 @@ TEST(ForeignThings, HandsAreNoRocks) {
         const Mask hand = test::lay_hand(
             photo,
             {.knuckles = {180.0, 140.0}, .finger = c.finger, .azimuth = c.azimuth, .skin = c.skin});
-        add_claim(claim, found_in(photo), hand);
+        add_claim(claim, found_labels(photo), hand);
     }
     EXPECT_GT(claim.thing, 25000);
     EXPECT_LT(claim.share(), 0.4);  // 0.28; 0.9 before hands were laid over what it learns from

@@ -1,6 +1,6 @@
 #include "testdata/synthetic_photo.h"
+#include "tests/vision/learned/found_labels.h"
 #include "vision/data/metrics.h"
-#include "vision/rock_extraction.h"
 
 #include <functional>
 
@@ -18,14 +18,6 @@ const test::SyntheticPhoto& heap() {
                                                                          .speckle = 0.1,
                                                                          .seed = 11});
     return made;
-}
-
-LabelMap found_in(const Photo& photo) {
-    const RockExtraction extraction = extract_rocks(photo, {.method = Method::Learned});
-    std::vector<Outline> outlines;
-    for (const Rock& rock : extraction.rocks.rocks)
-        outlines.push_back(rock.outline);
-    return paint_labels(outlines, photo.width(), photo.height());
 }
 
 // Every pixel of the result comes from where `source` says.
@@ -53,31 +45,33 @@ TEST(TurnedPicture, AQuarterTurnGivesTheSameRocks) {
     const Photo& photo = heap().photo;
     const auto source = [&](int x, int y) { return glm::ivec2(y, photo.height() - 1 - x); };
     const Photo turned = moved<glm::u8vec3>(photo, photo.height(), photo.width(), source);
-    expect_same_rocks(found_in(turned),
-                      moved<std::uint16_t>(found_in(photo), photo.height(), photo.width(), source));
+    expect_same_rocks(
+        found_labels(turned),
+        moved<std::uint16_t>(found_labels(photo), photo.height(), photo.width(), source));
 }
 
 TEST(TurnedPicture, TheMirrorImageGivesTheSameRocks) {
     const Photo& photo = heap().photo;
     const auto source = [&](int x, int y) { return glm::ivec2(photo.width() - 1 - x, y); };
     const Photo mirrored = moved<glm::u8vec3>(photo, photo.width(), photo.height(), source);
-    expect_same_rocks(found_in(mirrored),
-                      moved<std::uint16_t>(found_in(photo), photo.width(), photo.height(), source));
+    expect_same_rocks(
+        found_labels(mirrored),
+        moved<std::uint16_t>(found_labels(photo), photo.width(), photo.height(), source));
 }
 
 TEST(TurnedPicture, TwiceTheSizeGivesTheSameRocks) {
     const Photo& photo = heap().photo;
     const auto source = [](int x, int y) { return glm::ivec2(x / 2, y / 2); };
     const Photo large = moved<glm::u8vec3>(photo, 2 * photo.width(), 2 * photo.height(), source);
-    const LabelScore score =
-        score_labels(found_in(large),
-                     moved<std::uint16_t>(found_in(photo), large.width(), large.height(), source));
+    const LabelScore score = score_labels(
+        found_labels(large),
+        moved<std::uint16_t>(found_labels(photo), large.width(), large.height(), source));
     EXPECT_GT(score.f1, 0.85);  // rocks near the least size come and go
     EXPECT_GT(score.iou, 0.85);
 }
 
 TEST(TurnedPicture, TheRocksAreThere) {
-    const LabelScore score = score_labels(found_in(heap().photo), heap().labels);
+    const LabelScore score = score_labels(found_labels(heap().photo), heap().labels);
     EXPECT_GT(score.f1, 0.85);
     EXPECT_GT(score.iou, 0.85);
 }
